@@ -17,7 +17,6 @@ from ..forces.plasticity import NO_LIMITS
 from ..forces.reference import Physics
 from ..forces.springs import SpringsReference
 from ..forces.touch.contact import no_tunnelling
-from ..forces.touch.friction_history import sticks
 from ..forces.touch.walls import NOWHERE, WallRow
 from ..model.sparsity import new_matrix
 from ..model.state import grips_of, new_scratch, put_grips, start_of
@@ -145,7 +144,7 @@ class StaticModel:
         state.inverse_mass[here] = free * (1.0 / self._stiffness_at_masses() if balanced else 1.0 / weight)
         forces = np.outer(scene.gravity, weight) + (0.0 if self.system.loads is None else self.system.loads)
         state.gx[here], state.gy[here] = state.inverse_mass[here] * forces
-        self._sticks = sticks(body)
+        self._sticks = body.environment.sticks
         if self._sticks:
             put_grips(state, self.system, scene.pose.grips if scene.pose is not None else None)
         self.slots = state.x.size

@@ -84,6 +84,7 @@ class _Block:
     """
 
     mutable: ClassVar[bool] = False
+    changing: ClassVar[frozenset[str]] = frozenset()  # fields of a table whose arrays change all the same
     _bytes: ClassVar[int]  # of the block
     numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
     _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
@@ -176,6 +177,16 @@ class _Block:
             return _CLASSES[field.type.class_name].empty() if isinstance(field.type, TableType) else 0
 
         return cls(**{name: nothing(field) for name, field in cls.fields.items()})
+
+    def read_only(self) -> Self:
+        """The table, with its arrays and those of its tables read-only from now on, but for `changing`."""
+        for name in self.fields.keys() - self.changing:
+            value = getattr(self, name)
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
+            elif isinstance(value, _Block):
+                value.read_only()
+        return self
 
     def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
         """The names and values of the fields that are arrays."""

@@ -27,7 +27,7 @@ from ..engine.table import Rows, Table
 from ..engine.tables import Body, State
 from ..scene.surroundings import Wind
 from ..scene.types import Scene, is_windy
-from .term import Floats, Places, Term, Vectors, read_only
+from .term import Floats, Places, Term, Vectors
 
 _WAVES = 12
 """Number of waves that make gusts."""
@@ -65,14 +65,14 @@ def new_air(scene: Scene, _: Places) -> Air:
     if wind is None or not is_windy(scene):
         return still_air(scene.air_friction)
     x, y = wind.velocity
-    return read_only(Air(friction=scene.air_friction, moves=True, wind_x=x, wind_y=y, waves=_waves(wind)))
+    return Air(friction=scene.air_friction, moves=True, wind_x=x, wind_y=y, waves=_waves(wind))
 
 
 @lru_cache(maxsize=16)
 def still_air(friction: float) -> Air:
     """The table of a scene without wind. Those of all scenes of one friction are the same."""
     waves = np.zeros((0, len(Wave._fields)))
-    return read_only(Air(friction=friction, moves=False, wind_x=0.0, wind_y=0.0, waves=waves))
+    return Air(friction=friction, moves=False, wind_x=0.0, wind_y=0.0, waves=waves).read_only()
 
 
 def _waves(wind: Wind) -> Floats:

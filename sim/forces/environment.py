@@ -16,6 +16,7 @@ from .term import Places
 _FIELDS = {
     "present": "bool",  # any of `all.SURROUNDINGS` acts
     "touches": "bool",  # any of those that are `Term.touches` does
+    "sticks": "bool",  # tangential springs may hold what touches something
     "step": "float",  # s, of an explicit method with a fixed step, which softens touch; else 0
     "mass": "Floats",  # (slots,) kg
     "acting": "Indices",  # (k,) indices in `all.TERMS` of those that act
@@ -28,6 +29,7 @@ Environment: Any = type(
     (Table,),
     {
         "__annotations__": _FIELDS,
+        "changing": frozenset({"calls"}),
         "__doc__": "What terms share, and a table for each of `all.SURROUNDINGS`.",
     },
 )
@@ -53,17 +55,18 @@ def new_environment(scene: Scene, mass_index: Indices, ends: Indices, slots: int
     """
     mass = np.zeros(slots)
     mass[mass_index] = column(scene.masses, "mass")
-    mass.setflags(write=False)
     places = Places(mass_index, ends, slots, mass)
     acting = acting_on(scene)
+    tables = {term.field: term.new(scene, places) for term in SURROUNDINGS if term.new}
     return Environment(
         present=is_surrounded(scene),
         touches=any(TERMS[index].touches for index in acting),
+        sticks=any(term.sticks(tables[term.field]) for term in SURROUNDINGS),
         step=step,
         mass=mass,
         acting=np.array(acting, np.int64),
         calls=ADDRESSES,
-        **{term.field: term.new(scene, places) for term in SURROUNDINGS if term.new},
+        **tables,
     )
 
 

@@ -24,7 +24,7 @@ from ..engine.table import Indices, Rows, Table
 from ..engine.tables import Body, State
 from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
-from .term import Places, Term, Vectors, read_only
+from .term import Places, Term, Vectors
 
 SMALL = 8
 """Largest number of masses of a loop of which an implicit step has a block for each pair of its masses."""
@@ -58,11 +58,9 @@ class FillingRow(NamedTuple):
     area: float  # px², its own
 
 
-NO_FILLINGS = read_only(
-    Fillings(
-        start=np.zeros(1, np.int64), loop=np.zeros(0, np.int64), rows=np.zeros((0, len(FillingRow._fields)))
-    )
-)
+NO_FILLINGS = Fillings(
+    start=np.zeros(1, np.int64), loop=np.zeros(0, np.int64), rows=np.zeros((0, len(FillingRow._fields)))
+).read_only()
 
 
 def new_fillings(scene: Scene, places: Places) -> Fillings:
@@ -79,12 +77,10 @@ def new_fillings(scene: Scene, places: Places) -> Fillings:
         edges = zip(masses, masses[1:] + masses[:1], strict=True)
         around = sum(max(abs(at[b] - at[a]), rest.get(frozenset((a, b)), 0.0)) for a, b in edges)
         rows.append(_row(filling, abs(area), float(around)))
-    return read_only(
-        Fillings(
-            start=np.cumsum([0, *map(len, loops)]).astype(np.int64),
-            loop=np.concatenate([np.zeros(0, np.int64), *loops]),
-            rows=np.array(rows, float).reshape(-1, len(FillingRow._fields)),
-        )
+    return Fillings(
+        start=np.cumsum([0, *map(len, loops)]).astype(np.int64),
+        loop=np.concatenate([np.zeros(0, np.int64), *loops]),
+        rows=np.array(rows, float).reshape(-1, len(FillingRow._fields)),
     )
 
 

@@ -26,10 +26,9 @@ from ..scene.parts import Beat, JointMuscle, SpringMuscle
 from ..scene.types import Scene
 from .joints import joint_power
 from .springs import spring_force
-from .term import read_only
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
-NO_MUSCLES = read_only(Muscles.empty())
+NO_MUSCLES = Muscles.empty().read_only()
 """Those of a body without any."""
 
 
@@ -57,15 +56,13 @@ def new_muscles(scene: Scene, spring_order: Indices, joint_order: Indices) -> Mu
     turned = [
         (k, muscle) for k, joint in zip(joint_order.tolist(), joints, strict=True) if (muscle := joint.muscle)
     ]
-    return read_only(
-        Muscles(
-            present=bool(stretched or turned),
-            period=1.0 / beat.frequency if beat.frequency else 0.0,
-            spring=np.array([k for k, _ in stretched], np.int64),
-            stretch=_rows(beat, [muscle for _, muscle in stretched]),
-            joint=np.array([k for k, _ in turned], np.int64),
-            turn=_rows(beat, [muscle for _, muscle in turned]),
-        )
+    return Muscles(
+        present=bool(stretched or turned),
+        period=1.0 / beat.frequency if beat.frequency else 0.0,
+        spring=np.array([k for k, _ in stretched], np.int64),
+        stretch=_rows(beat, [muscle for _, muscle in stretched]),
+        joint=np.array([k for k, _ in turned], np.int64),
+        turn=_rows(beat, [muscle for _, muscle in turned]),
     )
 
 

@@ -45,7 +45,6 @@ from .events import LARGEST_PART, UNSEEN, crossing, kink_fraction, peak
 from .fillings import FillingRow
 from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .resistance import of_whole_springs
-from .term import read_only
 from .touch.broad_phase import update_pairs
 from .touch.contact import energy_along_spring, energy_on_spring
 
@@ -58,7 +57,7 @@ _SHORTEST_REST = 0.01
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
-NO_LIMITS = read_only(Limits.empty())
+NO_LIMITS = Limits.empty().read_only()
 """Those of a body in which nothing yields or breaks."""
 
 
@@ -73,14 +72,12 @@ def new_limits(scene: Scene, spring_order: Indices, joint_order: Indices) -> Lim
     springs = scene.linear_springs
     bending = np.empty(len(joint_order))
     bending[joint_order] = _or_infinite(column(scene.angular_springs, "yield_torque"))
-    return read_only(
-        Limits(
-            present=True,
-            breaking=_or_infinite(column(springs, "strength"))[spring_order],
-            yielding=_or_infinite(column(springs, "yield_force"))[spring_order],
-            hardening=column(springs, "hardening")[spring_order],
-            bending=bending,
-        )
+    return Limits(
+        present=True,
+        breaking=_or_infinite(column(springs, "strength"))[spring_order],
+        yielding=_or_infinite(column(springs, "yield_force"))[spring_order],
+        hardening=column(springs, "hardening")[spring_order],
+        bending=bending,
     )
 
 
@@ -534,8 +531,8 @@ def without_broken(body: Body, broken: Floats) -> Body:
         rows = fillings.rows.copy()
         for k in leaks:
             rows[k] = FillingRow(*rows[k])._replace(strength=0.0, outside=0.0)
-        environment = environment.replaced(fillings=read_only(fillings.replaced(rows=rows)))
+        environment = environment.replaced(fillings=fillings.replaced(rows=rows))
     body = body.replaced(
         stiffness=stiffness, damping=damping, angular_stiffness=size, torque_damping=resistance
     )
-    return read_only(body.replaced(environment=environment))
+    return body.replaced(environment=environment).read_only()

@@ -31,7 +31,7 @@ from ..engine.table import Indices, Rows, Table
 from ..engine.tables import Body, State
 from ..scene.types import Scene
 from .air import AirReference, wind_at, wind_gradient_at
-from .term import Floats, Places, Term, Vectors, read_only, summed
+from .term import Floats, Places, Term, Vectors, summed
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
@@ -53,7 +53,7 @@ class ResistanceRow(NamedTuple):
     slip: float  # px/s, see above; 0 in a medium
 
 
-NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))))
+NO_RESISTANCE = Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))).read_only()
 
 
 def is_resisted(scene: Scene) -> bool:
@@ -79,7 +79,7 @@ def new_resistance(scene: Scene, places: Places) -> Resistance:
         below = np.tile(row, (len(ends), 1))
         below[:, 1], below[:, 2] = on_a, on_b
         rows = np.concatenate((rows, below))
-    return read_only(Resistance(rows=rows))
+    return Resistance(rows=rows)
 
 
 def _shares(ends: Indices, whole: np.ndarray, weight: Floats) -> Floats:
@@ -102,7 +102,7 @@ def of_whole_springs(resistance: Resistance, ends: Indices, broken: Floats) -> R
         weight = np.asarray(np.bincount(ends.ravel(), of_law[:, 1:3].ravel()), float)
         of_law[:, 1:3] = _shares(ends, whole, weight)
         of_law[~whole, 0] = 0.0
-    return read_only(resistance.replaced(rows=rows))
+    return resistance.replaced(rows=rows)
 
 
 def most_resisted(resistance: Resistance, ends: Indices, length: Floats) -> Floats:

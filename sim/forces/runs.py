@@ -36,7 +36,7 @@ from .joints import (
     rub,
 )
 from .springs import SpringsReference, add_spring_damping, add_spring_derivatives, spring_energies, tension
-from .term import Term, read_only
+from .term import Term
 
 _SHORTEST_RUN = 5
 """Pairs from which on a run is one; shorter ones take longer than pairs one by one."""
@@ -108,26 +108,24 @@ def new_links(
     layers, into, out_of, rest, rest_end, rest_sign = slot_tables(
         b[loose:], a[loose:], ends, first=begin + loose, nothing=nothing
     )
-    return read_only(
-        Links(
-            first=begin + first,
-            a=a[first],
-            b=b[first],
-            count=count,
-            row=at_a[row] + a[first],
-            at_a=at_a,
-            at_b=at_b,
-            room=gap + rows * (padded(ends) + gap),
-            loose=begin + loose,
-            behind=begin + a.size,
-            ends=ends,
-            layers=layers,
-            into=into,
-            out_of=out_of,
-            rest=rest,
-            rest_end=rest_end,
-            rest_sign=rest_sign,
-        )
+    return Links(
+        first=begin + first,
+        a=a[first],
+        b=b[first],
+        count=count,
+        row=at_a[row] + a[first],
+        at_a=at_a,
+        at_b=at_b,
+        room=gap + rows * (padded(ends) + gap),
+        loose=begin + loose,
+        behind=begin + a.size,
+        ends=ends,
+        layers=layers,
+        into=into,
+        out_of=out_of,
+        rest=rest,
+        rest_end=rest_end,
+        rest_sign=rest_sign,
     )
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Protocol, TypeVar, runtime_checkable
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numba import types
@@ -24,7 +24,6 @@ Vectors = NDArray[np.complex128]
 """An array of vectors, each a complex number: (x, y) is x + iy."""
 Floats = NDArray[np.float64]
 """An array of real numbers."""
-_T = TypeVar("_T", bound=Table)
 
 
 class Places(NamedTuple):
@@ -107,6 +106,7 @@ class Term:
             deep into something as its speed leads. It counts what masses with accelerations a (px/s²) are
             in, or enter within h (s); infinite where there is nothing.
         touches: whether it acts only on masses that are in something, such as a wall.
+        sticks: whether tangential springs may hold what touches something in the term's table.
         depends_on_time: whether the force changes with time by itself, in a body.
     """
 
@@ -125,6 +125,7 @@ class Term:
     add_damping: Kernel | None = None
     impact_time: Kernel | None = None
     touches: bool = False
+    sticks: Callable[[Any], bool] = lambda _table: False
     depends_on_time: Callable[[Body], bool] = lambda _body: False
 
 
@@ -132,10 +133,3 @@ def summed(at: Indices, forces: Vectors, slots: int) -> Vectors:
     """(slots,) the sum of the forces at each slot; `at`: (k,) where each acts."""
     x, y = (np.bincount(at, part, slots) for part in (forces.real, forces.imag))
     return x + 1j * y
-
-
-def read_only(table: _T) -> _T:
-    """The table, whose arrays nothing can write to any more."""
-    for _, array in table.arrays():
-        array.setflags(write=False)
-    return table

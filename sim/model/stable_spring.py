@@ -12,7 +12,6 @@ from __future__ import annotations
 import numpy as np
 
 from ..engine.tables import Body, Floats
-from ..forces.term import read_only
 from ..scene.types import Scene
 from .system import build_system
 
@@ -42,9 +41,8 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
         size[joints] = np.minimum(size[joints], limit / dt**2)
         size[0] = size[body.joints] if body.ring else 0.0
         resistance[joints] = np.minimum(resistance[joints], limit / dt)
-    return read_only(
-        body.replaced(stiffness=stiffness, damping=damping, angular_stiffness=size, torque_damping=resistance)
-    )
+    limited = {"angular_stiffness": size, "torque_damping": resistance}
+    return body.replaced(stiffness=stiffness, damping=damping, **limited).read_only()
 
 
 def softening(scene: Scene) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import lru_cache
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -20,11 +20,11 @@ from ..forces.muscles import waves
 from ..forces.plasticity import without_broken
 from ..forces.touch.batch import room_for_batches
 from ..forces.touch.contact import places
-from ..forces.touch.friction_history import room_in_scratch, room_in_state, sticks
+from ..forces.touch.friction_history import room_in_scratch, room_in_state
 from ..forces.touch.walls import NOWHERE
 from ..near import nearest_points
 from ..scene.types import Damage, Grips, Scene
-from .system import System, damage_of, slots_of
+from .system import System, damage_of
 
 _Made = TypeVar("_Made", bound=Table)
 
@@ -43,11 +43,11 @@ def new_state(system: System) -> State:
     body = system.body
     springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
     layout = _layout_of_state(
-        slots_of(body), body.stiffness.size, body.angular_stiffness.size, springs, joints
+        system.slots, body.stiffness.size, body.angular_stiffness.size, springs, joints
     )
     state = layout.made()
     state.controls[0] = 1.0
-    return state.replaced(**room_in_state(body, state.slots)) if sticks(body) else state
+    return state.replaced(**room_in_state(body, state.slots)) if body.environment.sticks else state
 
 
 @lru_cache(maxsize=16)
@@ -189,6 +189,57 @@ def rows_of(state: State, system: System) -> Floats:
     return rows
 
 
+class Carried(NamedTuple):
+    """A motion, as it is carried from one state to another.
+
+    Attributes:
+        rows: (4, n) x, y (px), vx and vy (px/s) of the masses.
+        damage: what has yielded and broken, or None.
+        grips: the tangential springs by which friction holds, or None.
+    """
+
+    rows: Floats
+    damage: Damage | None
+    grips: Grips | None
+
+
+def carried_by(state: State, system: System) -> Carried:
+    """The motion in a state; its rows are copies, in the scene's order."""
+    return Carried(rows_of(state, system), damage_in(state, system), grips_of(state, system))
+
+
+def fill_in(
+    state: State,
+    system: System,
+    carried: Carried,
+    controls: tuple[float, float],
+    time: float,
+    slots: slice | Indices,
+) -> System:
+    """Set all of a state but what depends on who holds a mass, for which see `put_masses`.
+
+    Args:
+        state: of the tables.
+        system: the tables, with what has broken.
+        carried: the motion.
+        controls: rest length scale, and degrees added to all rest angles.
+        time: s.
+        slots: of the masses in the rows of `carried`.
+
+    Returns:
+        The tables without what has broken.
+    """
+    put_rows(state, carried.rows, slots)
+    if system.body.limits.present:
+        put_damage(state, system, carried.damage)
+    put_grips(state, system, carried.grips)
+    state.controls[:] = controls
+    state.clock[0] = time
+    system = whole_without_broken(system, state)
+    update_rest_state(system.body, state)
+    return system
+
+
 def put_rows(state: State, rows: Floats, slots: slice | Indices) -> None:
     """Set the motion of the masses in `slots`, in rows like those of `rows_of`, and clear the padding."""
     for vector, of_masses in ((state.q, rows[:2]), (state.v, rows[2:])):
@@ -269,7 +320,7 @@ def grips_of(state: State, system: System) -> Grips | None:
         state: of the tables.
         system: the tables.
     """
-    if not sticks(system.body):
+    if not system.body.environment.sticks:
         return None
     walls: list[tuple[int, int, float]] = []
     springs: list[tuple[int, int, float]] = []
@@ -296,7 +347,7 @@ def put_grips(state: State, system: System, grips: Grips | None) -> None:
         system: its tables.
         grips: the stretches; those on walls and in contact that the tables do not have are left out.
     """
-    if not sticks(system.body):
+    if not system.body.environment.sticks:
         return
     state.wall_stretch[:], state.wall_place[:], state.contact_start[:] = 0.0, NOWHERE, 0
     if grips is not None:

@@ -26,7 +26,6 @@ from ..forces.joints import LAWS, NO_JOINTS
 from ..forces.muscles import NO_MUSCLES, new_muscles
 from ..forces.plasticity import NO_LIMITS, new_limits
 from ..forces.runs import new_links, order_in_runs
-from ..forces.term import read_only
 from ..scene.columns import column, columns, ends, vectors
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded
 from ..solve.registry import METHODS
@@ -54,6 +53,7 @@ class System:
         mass_order: (n,) scene index of the mass in slot 1, 2, ..., n.
         mass_index: (n,) the slot, counted from 1, of each mass of the scene.
         vector_index: (n, 2) the indices of x and y of each mass of the scene in a flat vector, see `State`.
+        slots: number of slots of a state.
         spring_order: (S,) scene index of each spring of the tables.
         joint_order: (J,) index of the joint in the tables for each angular spring of the scene.
         inverse_mass: (n,) 1/kg, in slot order, also of held masses.
@@ -67,6 +67,7 @@ class System:
     mass_order: Indices
     mass_index: Indices
     vector_index: Indices
+    slots: int
     spring_order: Indices
     joint_order: Indices
     inverse_mass: Floats
@@ -87,34 +88,47 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
     chain. A body in surroundings is neither, nor is one that yields or breaks.
     """
-    n = len(scene.masses)
+    springs, joints, n = scene.linear_springs, scene.angular_springs, len(scene.masses)
+    loaded = is_loaded(scene)
     damageable = damaged or is_damageable(scene) or damage_of(scene) is not None
-    springs, joints = ends(scene.linear_springs), ends(scene.angular_springs)
+    of_springs, of_joints = ends(springs), ends(joints)
+    numbers = columns(springs, "stiffness", "damping", "rest_length")
+    of_joint = _joint_stiffness(scene), *columns(joints, "damping", "rest_angle")
+    mass = column(scene.masses, "mass")
+    places, velocities = vectors(scene.masses, "position"), vectors(scene.masses, "velocity")
+    softening = _softening(scene, numbers[2], places, of_springs)
     along = not damageable and not is_surrounded(scene)
-    wiring = wired(n, along, *(end.tobytes() for end in (*springs, *joints)))
-    mass_order, mass_index = wiring.mass_order, wiring.mass_index
-    body = _body(scene, wiring, damageable)
+    wiring = wired(n, along, *(end.tobytes() for end in (*of_springs, *of_joints)))
+    mass_order, mass_index, order = wiring.mass_order, wiring.mass_index, wiring.spring_order
+    body = with_numbers(wiring, list(numbers), of_joint, LAWS[scene.force_law].code, softening)
+    method = METHODS[scene.integrator.method]
+    step = 0.0 if method.adaptive or method.implicit else scene.integrator.dt
+    body = body.replaced(
+        limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,
+        muscles=new_muscles(scene, order, wiring.joint_order),
+        environment=new_environment(scene, mass_index, wiring.ends, wiring.slots, step),
+    ).read_only()
     held = np.zeros(n, np.bool_)
     for anchor in scene.anchors:
         held[mass_index[anchor.mass] - 1] = True
     if scene.pose is not None:
-        positions, velocities = np.array(scene.pose.positions), np.array(scene.pose.velocities)
-    else:
-        positions, velocities = vectors(scene.masses, "position"), vectors(scene.masses, "velocity")
+        places, velocities = np.array(scene.pose.positions), np.array(scene.pose.velocities)
     start = np.empty((4, n))
-    start[:2], start[2:] = positions[mass_order].T, velocities[mass_order].T
+    start[:2], start[2:] = places[mass_order].T, velocities[mass_order].T
     start[2:, held] = 0.0
+    loads = np.array([one.force or (0.0, 0.0) for one in scene.masses], float).T if loaded else None
     return System(
         body=body,
         mass_order=mass_order,
         mass_index=mass_index,
         vector_index=wiring.vector_index,
-        spring_order=wiring.spring_order,
+        slots=wiring.slots,
+        spring_order=order,
         joint_order=wiring.joint_order,
-        inverse_mass=1.0 / column(scene.masses, "mass")[mass_order],
+        inverse_mass=1.0 / mass[mass_order],
         held=held,
         start=start,
-        loads=_loads(scene, mass_order),
+        loads=None if loads is None else loads[:, mass_order],
     )
 
 
@@ -131,12 +145,6 @@ def for_analysis(scene: Scene) -> Scene:
 def damage_of(scene: Scene) -> Damage | None:
     """What has yielded and broken in the scene's pose; None where nothing has."""
     return scene.pose.damage if scene.pose is not None else None
-
-
-def _loads(scene: Scene, mass_order: Indices) -> Floats | None:
-    if not is_loaded(scene):
-        return None
-    return np.array([mass.force or (0.0, 0.0) for mass in scene.masses], float).T[:, mass_order]
 
 
 def same_topology(old: Scene, new: Scene) -> bool:
@@ -277,7 +285,7 @@ def wired(n: int, along: bool, *tables: bytes) -> Topology:
         array.setflags(write=False)
     return Topology(
         in_order, ring, room, slots, mass_order, mass_index, vector_index, spring_order, joint_order,
-        ends_of_springs, read_only(body),
+        ends_of_springs, body.read_only(),
     )  # fmt: skip
 
 
@@ -317,29 +325,6 @@ def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
     return order_in_runs(spring_ends[0], spring_ends[1], slots, alone)
 
 
-def _body(scene: Scene, wiring: Topology, damageable: bool) -> Body:
-    springs, joints = scene.linear_springs, scene.angular_springs
-    method, order = METHODS[scene.integrator.method], wiring.spring_order
-    body = with_numbers(
-        wiring,
-        list(columns(springs, "stiffness", "damping", "rest_length")),
-        (_joint_stiffness(scene), *columns(joints, "damping", "rest_angle")),
-        LAWS[scene.force_law].code,
-        _softening(scene),
-    )
-    return body.replaced(
-        limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,
-        muscles=new_muscles(scene, order, wiring.joint_order),
-        environment=new_environment(
-            scene,
-            wiring.mass_index,
-            wiring.ends,
-            wiring.slots,
-            step=0.0 if method.adaptive or method.implicit else scene.integrator.dt,
-        ),
-    )
-
-
 def with_numbers(
     wiring: Topology, of_springs: Sequence[Floats], of_joints: Sequence[Floats], law: int, softening: float
 ) -> Body:
@@ -369,7 +354,7 @@ def with_numbers(
         angular_stiffness[at], torque_damping[at], rest_angle[wiring.joint_order] = of_joints
         if ring:
             angular_stiffness[0] = angular_stiffness[held]
-    body = wiring.body.replaced(
+    return wiring.body.replaced(
         damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
         joint_damped=np.count_nonzero(torque_damping) > 0,
         law=law if held else NO_JOINTS,
@@ -382,20 +367,21 @@ def with_numbers(
         angular_stiffness=angular_stiffness,
         torque_damping=torque_damping,
     )
-    for array in (softenings, stiffness, damping, rest, rest_angle, angular_stiffness, torque_damping):
-        array.setflags(write=False)
-    return body
 
 
-def _softening(scene: Scene) -> float:
-    """`Body.softening`, px²: practically none for methods with a fixed step."""
+def _softening(scene: Scene, lengths: Floats, at: Floats, joined: tuple[Indices, Indices]) -> float:
+    """`Body.softening`, px²: practically none for methods with a fixed step.
+
+    Args:
+        scene: the scene.
+        lengths: rest lengths of its springs, px.
+        at: (n, 2) positions of its masses, px.
+        joined: the masses at the ends of each spring.
+    """
     if not METHODS[scene.integrator.method].adaptive:
         return SHORTEST_SQUARED
-    lengths = column(scene.linear_springs, "rest_length")
     if not lengths.any():
-        at = np.array([mass.position for mass in scene.masses])
-        a, b = ends(scene.linear_springs)
-        lengths = np.hypot(*(at[b] - at[a]).T)
+        lengths = np.hypot(*(at[joined[1]] - at[joined[0]]).T)
     lengths = lengths[lengths > 0.0]
     typical = float(np.median(lengths)) if lengths.size else 1.0
     soft = min(_SOFT_IN_TOLERANCES * scene.integrator.tolerance, _SOFT_AT_MOST * typical)

@@ -328,6 +328,7 @@ def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[
         mass_order=wiring.mass_order,
         mass_index=wiring.mass_index,
         vector_index=wiring.vector_index,
+        slots=wiring.slots,
         spring_order=wiring.spring_order,
         joint_order=wiring.joint_order,
         inverse_mass=weights,

@@ -8,24 +8,12 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ..compiling.compiler import FOR_DAMAGE, is_ready, needed_by
-from ..engine.tables import SCALE_MAX, SCALE_MIN, Floats, PrescribedMotion
+from ..engine.tables import SCALE_MAX, SCALE_MIN, PrescribedMotion
 from ..model.stable_spring import clamp_stiffness
-from ..model.state import (
-    damage_in,
-    grips_of,
-    new_scratch,
-    new_state,
-    put_damage,
-    put_grips,
-    put_masses,
-    put_rows,
-    rows_of,
-    update_rest_state,
-    whole_without_broken,
-)
+from ..model.state import Carried, carried_by, fill_in, new_scratch, new_state, put_masses
 from ..model.system import System, build_system
 from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
-from ..scene.types import Damage, Grips, Scene
+from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.steps import guard
 from .driving import Driver
@@ -165,46 +153,41 @@ class Run:
         time, begun = self._origin
         return time + (self.steps - begun + steps) * self._dt
 
-    def begin(self, time: float, steps: int, controls: tuple[float, float] | None = None) -> None:
-        """Begin from what is in the state, at a time (s), after so many steps.
+    def begin(
+        self,
+        carried: Carried,
+        time: float,
+        steps: int,
+        controls: tuple[float, float] | None = None,
+        slots: slice | None = None,
+    ) -> None:
+        """Begin from a motion at a time.
 
         Args:
+            carried: the motion.
             time: s.
             steps: those done until then.
             controls: what keys did, rest length scale and degrees; None for the scene's own.
+            slots: of the masses in the rows of `carried`; None if these are in the scene's order.
         """
-        state = self.state
-        state.controls[:] = controls or (self.scene.rest_length_scale, 0.0)
-        state.clock[0] = time
-        if self._whole.body.limits.present:
-            self.solver.system = whole_without_broken(self._whole, state)
-        update_rest_state(self.system.body, state)
+        state, whole = self.state, self._whole
+        controls = controls or (self.scene.rest_length_scale, 0.0)
+        system = fill_in(state, whole, carried, controls, time, whole.mass_index if slots is None else slots)
+        if whole.body.limits.present:
+            self.solver.system = system
         self._origin, self.steps, self._begins, self._led = (time, steps), steps, True, {}
         self.hold()
 
-    def carried(self) -> tuple[Floats, Damage | None, Grips | None]:
-        """The motion of all masses, what has yielded and broken, and the grips, as `adopt` takes them."""
-        state, system = self.state, self.system
-        return rows_of(state, system), damage_in(state, system), grips_of(state, system)
-
-    def adopt(
-        self, rows: Floats, damage: Damage | None, grips: Grips | None, slots: slice | None = None
-    ) -> None:
-        """Fill in the state from what `carried` gives.
-
-        `slots`: those of the masses in the rows; None if these are in the scene's order.
-        """
-        put_rows(self.state, rows, self._whole.mass_index if slots is None else slots)
-        if self._whole.body.limits.present:
-            put_damage(self.state, self._whole, damage)
-        put_grips(self.state, self._whole, grips)
+    def carried(self) -> Carried:
+        """The present motion, to go on from it."""
+        return carried_by(self.state, self.system)
 
     def go_to_start(self) -> None:
         """Begin as the scene does."""
         pose, masses = self.scene.pose, slice(1, self._whole.body.masses + 1)
-        self.adopt(self._whole.start, pose and pose.damage, pose and pose.grips, masses)
         self.hands.clear()
-        self.begin(0.0, 0)
+        carried = Carried(self._whole.start, pose and pose.damage, pose and pose.grips)
+        self.begin(carried, 0.0, 0, slots=masses)
 
     def hold(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""

@@ -14,7 +14,7 @@ from ..compiling.compiler import for_energy, is_ready
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
 from ..errors import InputError
 from ..model.loads import LoadCalculator, Loads
-from ..model.state import damage_in, grips_of, rest_angles
+from ..model.state import Carried, damage_in, grips_of, rest_angles
 from ..model.system import System, same_topology
 from ..scene.columns import ends
 from ..scene.types import Anchor, Damage, Pose, Scene
@@ -64,7 +64,8 @@ class Simulation:
         }
         self._keys: frozenset[str] = frozenset()
         self.divergence: Divergence | None = None
-        self._install(self._with_overrides(scene))
+        scene = self._with_overrides(scene)
+        self._install(scene)
         self.reset()
 
     # --------------------------------------------------------------------- reading
@@ -413,11 +414,12 @@ class Simulation:
         kept = self._tracker is not None
         if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
             self._install(moment.scene, moment.damage)
-        self._run.adopt(moment.rows, moment.damage, moment.grips)
         self._time_remainder = 0.0
         self._hands.clear()
         controls = moment.rest_length_scale, moment.rest_angle_shift
-        self._restart(moment.time, moment.step_count, controls)
+        carried = Carried(moment.rows, moment.damage, moment.grips)
+        self._run.begin(carried, moment.time, moment.step_count, controls)
+        self._begun()
         if kept:
             self.track_energy(True)
 
@@ -428,17 +430,18 @@ class Simulation:
             other: the other one.
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
-        rows, damage, grips = other._run.carried()
-        if self._lacks_room_for(damage):
-            self._install(self._scene, damage)
-        self._run.adopt(rows, damage, grips)
+        carried = other._run.carried()
+        if self._lacks_room_for(carried.damage):
+            self._install(self._scene, carried.damage)
         self._time_remainder = other._time_remainder
         self._hands.take_over(other._hands)
         self._keys = other._keys
-        self._restart(other.time, other.step_count)
+        self._run.begin(carried, other.time, other.step_count)
         if shift is not None:
             free = self._state.inverse_mass[self._system.mass_index] > 0.0
-            self._run.adopt(rows + np.where(free, shift, 0.0), damage, grips)
+            carried = carried._replace(rows=carried.rows + np.where(free, shift, 0.0))
+            self._run.begin(carried, other.time, other.step_count)
+        self._begun()
 
     def replace(self, scene: Scene) -> None:
         """Go on with another scene. Where it joins the same masses in the same way, positions, velocities and
@@ -452,16 +455,16 @@ class Simulation:
             self._install(scene)
             self.reset()
             return
-        time, steps, (rows, damage, grips) = self.time, self.step_count, self._run.carried()
-        if grips is not None and not same_walls(self._scene, scene):
-            grips = msgspec.structs.replace(grips, walls=())
+        time, steps, carried = self.time, self.step_count, self._run.carried()
+        if carried.grips is not None and not same_walls(self._scene, scene):
+            carried = carried._replace(grips=msgspec.structs.replace(carried.grips, walls=()))
         hands, tracker = self._hands, self._tracker
         if tracker is not None:
             tracker.close()
-        self._install(scene, damage)
-        self._run.adopt(rows, damage, grips)
+        self._install(scene, carried.damage)
         self._hands.take_over(hands)
-        self._restart(time, steps)
+        self._run.begin(carried, time, steps)
+        self._begun()
         # Where the kernels of the new method are still being compiled, there is no balance for now.
         if tracker is not None and self.track_energy(True) and self._tracker is not None:
             self._tracker.take_over(tracker)
@@ -508,11 +511,6 @@ class Simulation:
             integrator = msgspec.structs.replace(scene.integrator, **self._overrides)
             scene = msgspec.structs.replace(scene, integrator=integrator)
         return validate(scene)
-
-    def _restart(self, time: float, steps: int, controls: tuple[float, float] | None = None) -> None:
-        """Begin from what is in the state; arguments as of `Run.begin`."""
-        self._run.begin(time, steps, controls)
-        self._begun()
 
     def _begun(self) -> None:
         """Forget what belonged to the motion before."""

@@ -50,7 +50,6 @@ from ..engine.tables import (
 from ..forces.all import path_of
 from ..forces.fillings import FillingsReference
 from ..forces.plasticity import restore_committed, without_broken
-from ..forces.touch.friction_history import sticks
 from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..model.state import update_rest_state
 from ..model.system import System
@@ -176,7 +175,7 @@ class Solver:
         tolerance = scene.integrator.tolerance * info.tolerance_factor
         if system.body.limits.present and is_damageable(scene):
             tolerance *= _WITH_LIMITS * (_WITH_CONTACT if system.body.environment.contact.present else 1.0)
-        if sticks(system.body):
+        if system.body.environment.sticks:
             tolerance *= _WITH_GRIP if scene.integrator.tolerance >= LOW_TOLERANCE else _WITH_GRIP_LOW
         self._tolerance = max(tolerance, 1e-13)
         auto = self._info.name == "auto"
@@ -354,7 +353,7 @@ class Solver:
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
             *(("no_tunnelling",) if body.environment.contact.present else ()),
-            *(FOR_STICKING if sticks(body) else ()),
+            *(FOR_STICKING if body.environment.sticks else ()),
             *(FOR_DAMAGE if body.limits.present else ()),
         )
         forces = "yielding_accelerations" if body.limits.present else path_of(body).name

@@ -608,4 +608,5 @@ CONTACT = Term(
     add_damping=_add_damping,
     impact_time=_impact_time,
     touches=True,
+    sticks=lambda contact: contact.tangential > 0.0,
 )

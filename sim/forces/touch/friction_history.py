@@ -53,12 +53,6 @@ def update_friction_history(problem, q0, v0, q1, v1, h):
         balance.work.walls += _energy_along(body, state, q1) - before
 
 
-def sticks(body: Body) -> bool:
-    """Whether a body has tangential springs where it touches something."""
-    environment = body.environment
-    return environment.walls.tangential or environment.contact.tangential > 0.0
-
-
 def room_in_state(body: Body, slots: int) -> dict[str, NDArray[Any]]:
     """The arrays for tangential springs in a state with so many slots, by name; there is no spring yet."""
     walls, found = body.environment.walls, {}
@@ -73,7 +67,7 @@ def room_in_state(body: Body, slots: int) -> dict[str, NDArray[Any]]:
 
 
 def room_in_scratch(body: Body) -> dict[str, NDArray[Any]]:
-    """Likewise of scratch."""
+    """The arrays in scratch for the tangential springs at the end of a step, by name."""
     if body.environment.contact.tangential == 0.0:
         return {}
     masses, stretches = _room(body)

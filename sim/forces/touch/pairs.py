@@ -60,6 +60,10 @@ class Contacts(Table):
     part of the state: it only saves finding again what follows from positions.
     """
 
+    changing = frozenset(
+        ("number", "crowded", "at", "start", "member", "bucket_start", "bucket", "column", "row")
+    )
+
     present: bool
     distance: float  # px
     stiffness: float  # kg/(px s²)

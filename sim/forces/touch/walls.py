@@ -19,7 +19,7 @@ from ...engine.tables import Body, State
 from ...scene.surroundings import Wall
 from ...scene.types import Scene
 from ..events import kept_stretch, slip_fraction, stretch_since_touch, touch_fraction
-from ..term import Floats, Places, Term, Vectors, read_only
+from ..term import Floats, Places, Term, Vectors
 from .push import (
     friction_slopes,
     losses,
@@ -64,7 +64,7 @@ class WallRow(NamedTuple):
 NOWHERE = 1e300
 """In `State.wall_place`, the place of a mass that has no tangential spring there."""
 
-NO_WALLS = read_only(Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False))
+NO_WALLS = Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False).read_only()
 
 
 def new_walls(scene: Scene, _: Places) -> Walls:
@@ -72,7 +72,7 @@ def new_walls(scene: Scene, _: Places) -> Walls:
     if not scene.walls:
         return NO_WALLS
     rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
-    return read_only(Walls(rows=rows, tangential=any(wall.tangential_hardness for wall in scene.walls)))
+    return Walls(rows=rows, tangential=any(wall.tangential_hardness for wall in scene.walls))
 
 
 def _row(wall: Wall) -> WallRow:
@@ -512,4 +512,5 @@ WALLS = Term(
     add_damping=_add_damping,
     impact_time=_impact_time,
     touches=True,
+    sticks=lambda walls: walls.tangential,
 )
