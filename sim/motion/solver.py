@@ -422,9 +422,11 @@ class Solver:
         """Start the energy balance."""
         body = self.system.body
         self._fetch(for_energy(body))
+        around = body.environment
+        laws = len(around.walls.rows) + len(around.resistance.rows) // max(body.springs, 1)
         # Methods of first order move masses by other speeds than those that they have on average.
-        walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
-        rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
+        laws = laws if self._info.order != 1 else 0
+        rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((laws, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = EnergyBalance(active=True, work=Work(), rows=rows, dampers=dampers, quick=quick)
         self._problem = None
