@@ -39,6 +39,7 @@ class Resistance(Table):
     """Read-only. A row for each spring in a medium, if there is one, then one for each on the ground."""
 
     rows: Rows  # (R, 7), a `ResistanceRow` each
+    grounded: bool  # there is ground
 
 
 class ResistanceRow(NamedTuple):
@@ -53,7 +54,7 @@ class ResistanceRow(NamedTuple):
     slip: float  # px/s, see above; 0 in a medium
 
 
-NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))))
+NO_RESISTANCE = read_only(Resistance(rows=np.zeros((0, len(ResistanceRow._fields))), grounded=False))
 
 
 def is_resisted(scene: Scene) -> bool:
@@ -79,7 +80,7 @@ def new_resistance(scene: Scene, places: Places) -> Resistance:
         below = np.tile(row, (len(ends), 1))
         below[:, 1], below[:, 2] = on_a, on_b
         rows = np.concatenate((rows, below))
-    return read_only(Resistance(rows=rows))
+    return read_only(Resistance(rows=rows, grounded=bool(ground)))
 
 
 def _shares(ends: Indices, whole: np.ndarray, weight: Floats) -> Floats:
@@ -167,15 +168,15 @@ def _resisted(row, tx, ty, ux, uy):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _slopes(row, tx, ty, ux, uy, definite):
-    """The derivatives of `_resisted`. With `definite`, without those by the other velocity, which could make
-    the matrix of a step indefinite."""
+    """The derivatives of `_resisted`; with `definite`, its secants, with which Newton's method converges, if
+    slowly, however far beyond the slip a mass is."""
     along, beside = tx * ux + ty * uy, tx * uy - ty * ux
     ahead = row.forward if along > 0.0 else row.backward
-    if row.slip == 0.0:
-        return Slopes(row.across, 0.0, 0.0, ahead)
-    per = 1.0 / math.sqrt(ux * ux + uy * uy + row.slip * row.slip)
+    per = 1.0 if row.slip == 0.0 else 1.0 / math.sqrt(ux * ux + uy * uy + row.slip * row.slip)
+    if definite or row.slip == 0.0:
+        return Slopes(row.across * per, 0.0, 0.0, ahead * per)
     cubed = per * per * per
-    mixed = 0.0 if definite else along * beside * cubed
+    mixed = along * beside * cubed
     return Slopes(
         row.across * (per - beside * beside * cubed),
         -row.across * mixed,

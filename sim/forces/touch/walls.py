@@ -354,17 +354,18 @@ def _wall_derivatives(wall, depth, vx, vy, stretch, gripped, definite):
 
     Without a tangential spring, T = mu N tanh(u / u0). `gripped`: whether the mass has one there.
     The push is that without the softening for explicit methods, which use no derivatives. With `definite`,
-    friction along t, which is not symmetric, is left out of the first factors.
+    friction along t, which is not symmetric, is left out of the first factors, and dT/du is its secant T / u.
     """
     nx, ny = wall.nx, wall.ny
     friction, slip_speed = wall.friction, wall.slip_speed
-    push, _, _, along = _wall_push(wall, 0.0, depth, vx, vy, stretch)
+    push, rubbing, _, along = _wall_push(wall, 0.0, depth, vx, vy, stretch)
     held, stiff, drag = friction_slopes(friction * push, slip_speed, _spring(wall), along, stretch)
     stiff = stiff if gripped else 0.0
     by_depth, by_speed = push_slopes(wall.hardness, _lost(wall), depth, vx * nx + vy * ny)
     fx, fy = nx + friction * held * ny, ny - friction * held * nx
     if definite:
         fx, fy = nx, ny
+        drag = rubbing / along if wall.tangential == 0.0 and along != 0.0 else drag
     by_position = (
         -by_depth * fx * nx - stiff * ny * ny,
         -by_depth * fx * ny + stiff * ny * nx,
