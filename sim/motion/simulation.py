@@ -363,8 +363,8 @@ class Simulation:
         presses = presses_of(self._scene, self._keys)
         outcome = self._stepper.step(n, self._hands, presses, self._all_held, limit)
         self._look_at_tables()
-        self._hands.settle(outcome.steps == n or outcome.what != guard.GOOD)
-        if outcome.what != guard.GOOD:
+        self._hands.settle(outcome.steps == n or outcome.status != guard.GOOD)
+        if outcome.status != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
 

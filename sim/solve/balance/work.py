@@ -24,7 +24,7 @@ _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 """Gauss-Legendre nodes on (0, 1), of order six."""
 _WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 """Their weights."""
-_MOST_PARTS = 1000.0
+_MAX_PARTS = 1000.0
 """Largest number of parts of a step, each with these nodes, less one: of a radian of the quickest muscle."""
 
 
@@ -119,7 +119,7 @@ def _parts_for_muscles(body, h):
         for i in range(rows.shape[0]):
             sharper = 1.0 + SHARPNESS if rows[i, PULSE] > 0.0 else 1.0
             quickest = max(quickest, abs(rows[i, RATE]) * sharper)
-    return 1 + int(min(quickest * h, _MOST_PARTS))
+    return 1 + int(min(quickest * h, _MAX_PARTS))
 
 
 @kernel(fastmath=FAST)

@@ -148,7 +148,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         accelerate(problem, to_q, to_v, force)
         for j in range(1, q.size - SPARE):
             move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
-        _rest(drive, move)
+        _zero_prescribed(drive, move)
         # The second iteration is close enough to the first to use its matrix.
         if iteration != 1 or last > 10.0 * _SPAN * tolerance:
             factorise(problem, to_q, to_v, g2, g1, secants)
@@ -177,7 +177,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         new.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
     if drive.moving:
         drive_to(body, state, drive, t + h, to_q, to_v)
-        _rest(drive, new.a)
+        _zero_prescribed(drive, new.a)
     if fixed > 0.0:
         return 0.0 if no_tunnelling(problem, q, to_q) else 2.0
     part = _ERROR if alpha.older > 0.0 else 0.3 * _ERROR
@@ -200,7 +200,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
         for j in range(1, old.q.size - SPARE):
             a_prev[j] = (new.q[j] - start[j]) * inverse
             predictor_error[j] = new.q[j] - q_pred[j]
-        _rest(drive, a_prev)
+        _zero_prescribed(drive, a_prev)
         alpha.cube = 0.0 if _is_calming(problem) else alpha.next_cube
         alpha.steps += 1
     else:
@@ -250,7 +250,7 @@ def _longest(problem, old):
 
 
 @kernel(forceinline=True)
-def _rest(drive, a):
+def _zero_prescribed(drive, a):
     """Clear the accelerations of driven masses."""
     for k in range(drive.mass.size):
         m = drive.mass[k]
