@@ -257,8 +257,8 @@ class Matrix(Table):
     corrections: Rows  # (B + 1, B)
     # For contact, see `solve.linear.krylov`; empty where there is none.
     of_mass: Indices  # (slots,) block of each mass on the diagonal
-    touching: Floats  # (3,), see the TOUCHING_ constants there
-    touched: Rows  # (3, 2 slots) positions, velocities and inverse masses for which the matrix was built
+    coupling: Floats  # (3,), see the COUPLING_ constants in `forces.touch.contact`
+    coupling_state: Rows  # (3, 2 slots) positions, velocities and inverse masses of the last factors
     krylov: Rows  # (K + 3, 2 slots) basis of a Krylov space, and scratch
     hessenberg: Rows  # (K + 4, K + 1) scratch of GMRES
 
@@ -305,7 +305,7 @@ class Run(Record):
     farthest: float  # largest coordinate of a good state, px
     fastest: float  # largest velocity component of one, px/s
     current: bool  # the accelerations belong to the present state
-    what: int  # GOOD or what is wrong, see `solve.steps.guard`
+    status: int  # GOOD or what is wrong, see `solve.steps.guard`
     mass: int  # slot of the mass at which it was found
     steps: int  # accepted ones
     rejected: int
@@ -328,14 +328,14 @@ class StepAttempt(Record):
     h: float  # its length, s; of each, if several are done at once
     start: float  # the time from which it leads, s; of the last one
     end: float  # the time that it leads to, s
-    far: float  # its largest coordinate, px; infinite where unknown, as are the next two
-    fast: float  # its largest velocity component, px/s
-    moved: float  # largest change of a coordinate, px, if the last forces are those at its end
-    part: float  # what of it is to be tried instead, as something turns round or breaks after that; or 1
+    max_position: float  # largest coordinate at its end, px; infinite where unknown, as are the next two
+    max_speed: float  # its largest velocity component, px/s
+    max_move: float  # largest change of a coordinate, px, if the last forces are those at its end
+    event_fraction: float  # part of it to try instead, which ends at an event in it; 1 if it has none
     failures: int  # number of steps refused since the last good one
     number: int  # of fixed steps before it
-    most: int  # number of steps that may be done at once
-    rest: float  # time that is left until the end of the run, s; unused with a fixed step
+    max_steps: int  # number of steps that may be done at once
+    remaining: float  # time that is left until the end of the run, s; unused with a fixed step
     count: int  # number that was done
 
 
@@ -373,7 +373,7 @@ class AdamsState(Record):
     time: float  # of the latest row of `past`, s; negative if that is invalid
     spacing: float  # the time between two rows, s
     degree: int  # of the polynomial
-    most: int  # the degree that the method is raising its degree to
+    target_degree: int  # the degree that it raises its degree to
     head: int  # the row with the latest acceleration
     known: int  # number of rows, from the latest on, at the present spacing
     since: int  # number of steps since the step size changed
@@ -441,7 +441,7 @@ class Rosenbrock(Table):
     order: int  # power of the step to which the error estimate is proportional
     gamma: float
     c: Floats  # (stages + 1,) times of the stages; the last is the end of the step
-    slope: Floats  # (stages,) weights of the derivative with respect to time
+    time_weights: Floats  # (stages,) weights of the derivative with respect to time
     a: Rows  # (stages + 1, padded); the last row gives the end of the step
     coupling: Rows  # (stages + 1, padded); the last row belongs to no stage and is zero
     error: Floats  # (padded) weights of the error estimate
@@ -495,7 +495,16 @@ class EnergyBalance(Table):
     work: Work
     rows: Rows  # (k, 2 slots) scratch, see `solve.balance.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `solve.balance.dissipation`
-    quick: Rows  # (W, 2 slots) scratch, see `mark_stiff_friction`; empty for methods of first order
+    # (W + L, 2 slots) scratch of W walls and L laws of resistance; empty for methods of first order.
+    # First half: 1 for each mass that friction there stops within a fraction of the step, see
+    # `mark_stiff_friction`. Second half: the power of all other forces on it, kg px²/s³.
+    quick: Rows
+
+
+MIN_STIFF_RATE = 0.5
+"""Step length in time constants of friction or of a medium from which the energy balance takes its work from
+displacements and not from speeds. By experiment (test_the_balance_closes_at_any_resistance, RODAS at 0.1 px):
+with 4, `air` is off by 60 to 100 %; with 0.5, by less than 1 %."""
 
 
 class Problem(Table):

@@ -18,7 +18,7 @@ import math
 from ..engine.bits import bits, from_bits
 from ..engine.jit import FAST, kernel
 from ..engine.lanes import eight_at_a_time, whole_eights
-from ..engine.numerics.roots import inverse_root_from_least
+from ..engine.numerics.roots import inverse_root_from_min
 from .joints import CONSERVATIVE, NO_JOINTS, SINE_LAWS, TUTORIAL
 
 
@@ -53,7 +53,7 @@ def _along(law, alone, carried, bx, by, bu, bv, cos, sin, size, rest_tension, st
     """
     ax, ay, along, part, known, in_x, in_y = carried
     square = bx * bx + by * by + soft
-    inv = 1.0 / math.sqrt(square) if alone else inverse_root_from_least(square)
+    inv = 1.0 / math.sqrt(square) if alone else inverse_root_from_min(square)
     inv2 = inv * inv
     rate = bx * bu + by * bv
     to_along = rest_tension * inv - stiffness - damping * rate * inv2

@@ -28,7 +28,7 @@ from ..engine.jit import FAST, kernel
 from ..engine.numerics.blocks import add_block
 from ..engine.numerics.vectors import from_to, length_of
 from ..engine.table import Indices, Rows, Table
-from ..engine.tables import Body, State
+from ..engine.tables import MIN_STIFF_RATE, Body, State
 from ..scene.types import Scene
 from .air import AirReference, wind_at, wind_gradient_at
 from .term import Floats, Places, Term, Vectors, summed
@@ -39,6 +39,7 @@ class Resistance(Table):
     """Read-only. A row for each spring in a medium, if there is one, then one for each on the ground."""
 
     rows: Rows  # (R, 7), a `ResistanceRow` each
+    grounded: bool  # there is ground
 
 
 class ResistanceRow(NamedTuple):
@@ -53,7 +54,7 @@ class ResistanceRow(NamedTuple):
     slip: float  # px/s, see above; 0 in a medium
 
 
-NO_RESISTANCE = Resistance(rows=np.zeros((0, len(ResistanceRow._fields)))).read_only()
+NO_RESISTANCE = Resistance(rows=np.zeros((0, len(ResistanceRow._fields))), grounded=False).read_only()
 
 
 def is_resisted(scene: Scene) -> bool:
@@ -79,7 +80,7 @@ def new_resistance(scene: Scene, places: Places) -> Resistance:
         below = np.tile(row, (len(ends), 1))
         below[:, 1], below[:, 2] = on_a, on_b
         rows = np.concatenate((rows, below))
-    return Resistance(rows=rows)
+    return Resistance(rows=rows, grounded=bool(ground))
 
 
 def _shares(ends: Indices, whole: np.ndarray, weight: Floats) -> Floats:
@@ -167,15 +168,15 @@ def _resisted(row, tx, ty, ux, uy):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _slopes(row, tx, ty, ux, uy, definite):
-    """The derivatives of `_resisted`. With `definite`, without those by the other velocity, which could make
-    the matrix of a step indefinite."""
+    """The derivatives of `_resisted`; with `definite`, its secants, with which Newton's method converges, if
+    slowly, however far beyond the slip a mass is."""
     along, beside = tx * ux + ty * uy, tx * uy - ty * ux
     ahead = row.forward if along > 0.0 else row.backward
-    if row.slip == 0.0:
-        return Slopes(row.across, 0.0, 0.0, ahead)
-    per = 1.0 / math.sqrt(ux * ux + uy * uy + row.slip * row.slip)
+    per = 1.0 if row.slip == 0.0 else 1.0 / math.sqrt(ux * ux + uy * uy + row.slip * row.slip)
+    if definite or row.slip == 0.0:
+        return Slopes(row.across * per, 0.0, 0.0, ahead * per)
     cubed = per * per * per
-    mixed = 0.0 if definite else along * beside * cubed
+    mixed = along * beside * cubed
     return Slopes(
         row.across * (per - beside * beside * cubed),
         -row.across * mixed,
@@ -210,22 +211,97 @@ def _end(body, row, s, length, end):
 # ------------------------------------------------------------------------- the balance
 @kernel(fastmath=FAST)
 def _add_power(body, state, balance, q, v, part):
-    """On free masses; a medium that moves can do work on a body."""
-    rows, slots = body.environment.resistance.rows, q.size // 2
+    """On free masses, except those of `mark_stiff_resistance`; a medium that moves can do work on a body."""
+    rows, quick = body.environment.resistance.rows, balance.quick
     for k in range(rows.shape[0]):
         row, s, power = _row(body, k), k % body.springs, 0.0
         tx, ty, length = _direction(body, q, s)
         for end in range(2):
             m, p = _end(body, row, s, length, end)
-            if state.inverse_mass[m] > 0.0:
-                ux, uy = _relative_velocity(body, state, row, q, v, m)
-                across, along = _resisted(row, tx, ty, ux, uy)
-                vx, vy = v[m], v[slots + m]
-                power -= p * (along * (tx * vx + ty * vy) + across * (tx * vy - ty * vx))
+            if state.inverse_mass[m] > 0.0 and (quick.shape[0] == 0 or quick[_law(body, k), m] == 0.0):
+                power += _power_at(body, state, row, q, v, m, p, tx, ty)
         if row.slip == 0.0:
             balance.work.air += part * power
         else:
             balance.work.walls += part * power
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _power_at(body, state, row, q, v, m, p, tx, ty):
+    """The power, kg px²/s³, of what resists mass m at an end of a spring."""
+    ux, uy = _relative_velocity(body, state, row, q, v, m)
+    across, along = _resisted(row, tx, ty, ux, uy)
+    vx, vy = v[m], v[q.size // 2 + m]
+    return -p * (along * (tx * vx + ty * vy) + across * (tx * vy - ty * vx))
+
+
+@kernel(forceinline=True)
+def _law(body, k):
+    """The row in `EnergyBalance.quick` of the law that the k-th row belongs to."""
+    return body.environment.walls.rows.shape[0] + k // body.springs
+
+
+@kernel(fastmath=FAST)
+def mark_stiff_resistance(body, inverse_mass, q, h, quick):
+    """Whether a medium or the ground would stop any mass within a fraction of a step of h seconds.
+
+    There the speeds of a step, which are as accurate as the tolerance asks, do not tell what a strong
+    resistance takes. Its work is the change of the kinetic energy less the work of all other forces, which
+    depends on displacements. A mass that both stop is left to the ground.
+    """
+    rows, found = body.environment.resistance.rows, False
+    for k in range(rows.shape[0]):
+        row, s, law = _row(body, k), k % body.springs, _law(body, k)
+        _, _, length = _direction(body, q, s)
+        slope = max(row.across, row.forward, row.backward) / (row.slip if row.slip > 0.0 else 1.0)
+        for end in range(2):
+            m, p = _end(body, row, s, length, end)
+            if h * slope * p * inverse_mass[m] > MIN_STIFF_RATE:
+                if k >= body.springs:
+                    quick[law - 1, m] = 0.0
+                quick[law, m], found = 1.0, True
+    return found
+
+
+@kernel(fastmath=FAST)
+def gather_other_powers(body, state, q, v, a, part, quick):
+    """Add, weighted by `part`, the power of all forces but resistance on the masses of
+    `mark_stiff_resistance`; q, v, a: flat positions, velocities and accelerations."""
+    rows, mass, slots, last = body.environment.resistance.rows, body.environment.mass, q.size // 2, -1
+    for k in range(rows.shape[0]):
+        row, s, law = _row(body, k), k % body.springs, _law(body, k)
+        tx, ty, length = _direction(body, q, s)
+        for end in range(2):
+            m, p = _end(body, row, s, length, end)
+            if quick[law, m] > 0.0:
+                quick[law, slots + m] -= part * _power_at(body, state, row, q, v, m, p, tx, ty)
+        if law != last:
+            for m in range(1, body.masses + 1):
+                if quick[law, m] > 0.0:
+                    quick[law, slots + m] += part * mass[m] * (a[m] * v[m] + a[slots + m] * v[slots + m])
+        last = law
+
+
+@kernel(fastmath=FAST)
+def work_of_stiff_resistance(body, balance, v0, v1, h):
+    """Add the work of resistance on the masses of `mark_stiff_resistance` in a step, kg px²/s²."""
+    rows, mass, quick, slots = (
+        body.environment.resistance.rows,
+        body.environment.mass,
+        balance.quick,
+        v0.size // 2,
+    )
+    for k in range(0, rows.shape[0], max(body.springs, 1)):
+        row, law, work = _row(body, k), _law(body, k), 0.0
+        for i in range(1, body.masses + 1):
+            if quick[law, i] > 0.0:
+                j = slots + i
+                change = v1[i] * v1[i] - v0[i] * v0[i] + v1[j] * v1[j] - v0[j] * v0[j]
+                work += 0.5 * mass[i] * change - h * quick[law, j]
+        if row.slip == 0.0:
+            balance.work.air += work
+        else:
+            balance.work.walls += work
 
 
 # ------------------------------------------------------------------------- derivatives

@@ -42,9 +42,7 @@ def new_state(system: System) -> State:
     """A state with room for the system's masses; `Simulation` fills it."""
     body = system.body
     springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
-    layout = _layout_of_state(
-        system.slots, body.stiffness.size, body.angular_stiffness.size, springs, joints
-    )
+    layout = _layout_of_state(system.slots, body.stiffness.size, body.angular_stiffness.size, springs, joints)
     state = layout.made()
     state.controls[0] = 1.0
     return state.replaced(**room_in_state(body, state.slots)) if body.environment.sticks else state

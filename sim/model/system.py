@@ -12,7 +12,7 @@ import msgspec
 import numpy as np
 
 from ..engine.layout import aligned_arena
-from ..engine.numerics.roots import LEAST
+from ..engine.numerics.roots import MIN_SQUARE
 from ..engine.table import Table
 from ..engine.tables import (
     SHORTEST_SQUARED,
@@ -347,7 +347,7 @@ def with_numbers(
     for field, values in zip((stiffness, damping, rest), of_springs, strict=True):
         field[:count] = values[order]
     # The loop around a ring visits its first spring twice.
-    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, LEAST)
+    softenings[:], softenings[: count + ring] = _ENDLESS, max(softening, MIN_SQUARE)
     torque_damping, rest_angle = np.zeros(torques), np.zeros(held)
     if held:
         at = wiring.joint_order + 1

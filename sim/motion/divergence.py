@@ -89,7 +89,7 @@ class Divergence:
 
 def explain(scene: Scene, system: System, state: State, steps: int, outcome: Outcome) -> Divergence:
     """Why a simulation stopped after so many steps, by how its last call went."""
-    quantity, limit = LIMITS[outcome.what]
+    quantity, limit = LIMITS[outcome.status]
     method, dt = METHODS[scene.integrator.method], scene.integrator.dt
     limit = MAX_SPEED if quantity == "speed" and method.adaptive else limit
     driven = scene.force_law == "tutorial" and system.body.joints > 0

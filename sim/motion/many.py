@@ -258,7 +258,7 @@ def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int
             for field in (state.vx, state.vy, state.inverse_mass, state.air, state.gx, state.gy):
                 field[of_lane] = 0.0
             solver.integrator.a.reshape(2, -1)[:, of_lane] = 0.0
-            solver.integrator.run.what = GOOD
+            solver.integrator.run.status = GOOD
         if k < len(looks):
             samples[:, k] = moments()
     ends, times = moments(), np.array([number * dt for number in looks])

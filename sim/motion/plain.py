@@ -118,12 +118,12 @@ class PlainSolver:
                 x, v, a = verlet_step(self._physics, x, v, a, h, lead)
             lead(x, v)  # the step has moved them
             self.work += 1
-            what = self._verdict(x, v)
-            if what != guard.GOOD:
+            status = self._verdict(x, v)
+            if status != guard.GOOD:
                 x, v, state.controls[:] = before
                 update_rest_state(self._body, state)
                 self._keep(x, v, None)
-                return what if self._euler else guard.GOOD
+                return status if self._euler else guard.GOOD
             self._physics.update_friction_history(x, v)
             self.time = t
         if self.time > until - 1e-9 * span:
@@ -176,12 +176,12 @@ class PlainSolver:
         far = np.maximum(abs(x.real), abs(x.imag))
         fast = np.maximum(abs(v.real), abs(v.imag))
         with np.errstate(invalid="ignore"):
-            for what, bad in (
+            for status, bad in (
                 (guard.BAD_NUMBER, ~(np.isfinite(far) & np.isfinite(fast))),
                 (guard.BAD_POSITION, far > MAX_COORDINATE),
                 (guard.BAD_SPEED, fast > self.fastest),
             ):
                 if bad.any():
                     self.index = int(np.argmax(bad))
-                    return what
+                    return status
         return guard.GOOD

@@ -63,12 +63,12 @@ class Outcome(NamedTuple):
 
     Attributes:
         steps: number of whole time steps done.
-        what: guard.GOOD, or what is wrong with the state after the next step.
+        status: guard.GOOD, or what is wrong with the state after the next step.
         mass_index: slot of the mass at which it was found, or -1.
     """
 
     steps: int
-    what: int = guard.GOOD
+    status: int = guard.GOOD
     mass_index: int = -1
 
 
@@ -240,7 +240,7 @@ class Run:
             self._led = targets
         if hands.limited:
             self._kept = self._steady = None
-            what = self._lead_limited(until, presses, attempts)
+            status = self._lead_limited(until, presses, attempts)
         else:
             drive = self._kept
             if drive is None or presses != self._presses:
@@ -249,9 +249,9 @@ class Run:
                     self._kept, self._presses = drive, presses
             self._steady = None
             if all_held and drive.moving and self._adaptive and solver.tracks_energy:
-                what = self._substeps(until, drive, min(_HALTS * steps, attempts), attempts)
+                status = self._substeps(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
-                what = solver.run(until, drive, attempts)
+                status = solver.run(until, drive, attempts)
                 settled = drive is self._kept and presses is NO_PRESSES and not all_held
                 if settled and isinstance(solver, Solver):
                     self._steady = solver, drive
@@ -261,8 +261,8 @@ class Run:
         passed = time - self._after(0) + 4e-16 * abs(time)  # times are rounded
         done = int(passed / self._dt + 1e-6)
         self.steps += done
-        hands.settle(done == steps or what != guard.GOOD)
-        return Outcome(done) if what == guard.GOOD else Outcome(done, what, solver.index)
+        hands.settle(done == steps or status != guard.GOOD)
+        return Outcome(done) if status == guard.GOOD else Outcome(done, status, solver.index)
 
     def _drive(
         self, until: float, targets: Targets, presses: KeyRates, motions: HandMotions = NO_MOTIONS
@@ -281,21 +281,21 @@ class Run:
     def _lead_limited(self, until: float, presses: KeyRates, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
         hands, solver, start = self.hands, self.solver, self.solver.time
-        last, what = solver.work + attempts, guard.GOOD
+        last, status = solver.work + attempts, guard.GOOD
         parts = max(1, math.ceil((until - start) / LONGEST_PART - 1e-6))
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
             motions = {index: hand.next_motion(end - began) for index, hand in hands.limited.items()}
             drive = self._drive(until, hands.targets, presses, motions)
-            what = solver.run(end, drive, last - solver.work)
+            status = solver.run(end, drive, last - solver.work)
             for index, hand in hands.limited.items():
                 hand.go_on(motions[index], solver.time - began)
-            if what != guard.GOOD or solver.time < end:
+            if status != guard.GOOD or solver.time < end:
                 break
         there = {index: hand.goal for index, hand in hands.limited.items() if hand.is_there}
         self._put(there)
         self._stop(there)
-        return what
+        return status
 
     def _put(self, targets: Targets) -> None:
         """Set masses exactly to the positions to which they were led, without rounding errors."""

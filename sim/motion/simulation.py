@@ -335,7 +335,7 @@ class Simulation:
             self.take_compiled()
         presses = presses_of(self._scene, self._keys)
         outcome = self._run.step(n, presses, limit)
-        if outcome.what != guard.GOOD:
+        if outcome.status != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
 

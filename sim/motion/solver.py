@@ -71,7 +71,7 @@ _ROWS_OFFSET = 2560 // 8
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""
 
-_TIME, _WHAT, _STEPS, _REJECTED = map(Run.place, ("time", "what", "steps", "rejected"))
+_TIME, _STATUS, _STEPS, _REJECTED = map(Run.place, ("time", "status", "steps", "rejected"))
 """Where a run's numbers are in its words."""
 
 _NEXT_TURN = ENTRY_POINTS["next_turn"]
@@ -260,13 +260,13 @@ class Solver:
             guard.GOOD, or what is wrong with the state after the next step.
         """
         run, last = self.integrator.run, self.work + attempts
-        if run.what != guard.CHANGED:  # as `go_on` leaves it, if springs have broken
+        if run.status != guard.CHANGED:  # as `go_on` leaves it, if springs have broken
             self._run(until, drive, attempts)
         can_fall_back = self._info.implicit and (self._wait or is_ready(for_fallback(self.system.body)))
-        while (what := run.what) != guard.GOOD:
-            if what == guard.CHANGED:
+        while (status := run.status) != guard.GOOD:
+            if status == guard.CHANGED:
                 self._take_damage()
-            elif what == guard.STUCK and can_fall_back and self.work < last and self.time < until:
+            elif status == guard.STUCK and can_fall_back and self.work < last and self.time < until:
                 self.fall_back(until, drive)
             else:
                 break
@@ -274,14 +274,14 @@ class Solver:
                 self._run(until, drive, last - self.work)
         if self.time < until and self.system.body.limits.present:
             restore_committed(self.system.body, self.state)
-        if what == guard.STUCK and self._info.implicit:
-            what = guard.GOOD  # it is only late: the next call begins with a fallback step
-        return what
+        if status == guard.STUCK and self._info.implicit:
+            status = guard.GOOD  # it is only late: the next call begins with a fallback step
+        return status
 
     def _take_damage(self) -> None:
         """Go on with the springs that are left, after some have broken."""
         alpha = self.integrator.alpha
-        self.integrator.run.what = guard.GOOD
+        self.integrator.run.status = guard.GOOD
         # What implicit methods remember of the last steps does not belong to these forces.
         alpha.last = alpha.older = 0.0
         alpha.steps = 0
@@ -302,7 +302,7 @@ class Solver:
         """
         before = self.work
         self._run(until, drive, attempts)
-        if self._wholes[_WHAT] == guard.GOOD and self._floats[_TIME] == until:
+        if self._wholes[_STATUS] == guard.GOOD and self._floats[_TIME] == until:
             return -1
         return max(0, before + attempts - self.work)
 
@@ -422,9 +422,11 @@ class Solver:
         """Start the energy balance."""
         body = self.system.body
         self._fetch(for_energy(body))
+        around = body.environment
+        laws = len(around.walls.rows) + len(around.resistance.rows) // max(body.springs, 1)
         # Methods of first order move masses by other speeds than those that they have on average.
-        walls = len(body.environment.walls.rows) if self._info.order != 1 else 0
-        rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((walls, 2 * self.slots))
+        laws = laws if self._info.order != 1 else 0
+        rows, quick = np.zeros((4, 2 * self.slots)), np.zeros((laws, 2 * self.slots))
         dampers = np.zeros((DAMPER_ROWS, body.springs + body.joints))
         self.balance = EnergyBalance(active=True, work=Work(), rows=rows, dampers=dampers, quick=quick)
         self._problem = None

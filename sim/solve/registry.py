@@ -81,8 +81,8 @@ _ALL = (
     ),
     MethodInfo(
         "generalized_alpha", "Generalized-alpha", run_alpha, order=2, implicit=True, look=("#e69f00", "v"),
-        summary="Implicit: bears any stiffness and calms what the step is too long for; springs turn and "
-        "stretch in its Newton updates.",
+        summary="Implicit: stable at any stiffness; vibrations with fewer than some twenty steps per period "
+        "become too slow and die out, without a message.",
         tolerance_factor=10.0,
     ),
     MethodInfo(

@@ -10,10 +10,12 @@ from msgspec.structs import replace
 
 import sim
 from sim import Scene, Simulation
+from sim.scene.surroundings import Ground, Medium, Wind
 from sim.scene.types import Method
 from sim.solve.registry import METHODS
+from tests.sim.bodies import body
 from tests.sim.builders import built, row
-from tests.sim.changes import after
+from tests.sim.changes import after, by
 
 STRENGTHS = [0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6]
 
@@ -88,3 +90,23 @@ def test_strong_friction_takes_what_there_is(method: Any, friction: float) -> No
     balance = simulation.energy()
     assert abs(balance.residual) < 0.015 * abs(balance.friction)
     assert -2.0e5 < balance.friction < -1.5e5
+
+
+RESISTED: dict[str, dict[str, Any]] = {
+    "medium in wind": {"medium": Medium(across=1e6, along=5e5), "wind": Wind(velocity=(300.0, -80.0))},
+    "ground": {
+        "ground": Ground(forward=100.0, backward=100.0, sideways=100.0, slip_speed=1e-3),
+        "gravity": (0.0, 0.0),
+    },
+    "both": {"medium": Medium(across=1e4), "ground": Ground(forward=9.0, slip_speed=1e-2)},
+}
+
+
+@pytest.mark.parametrize("tolerance", [1.0, 0.1, 1e-3])
+@pytest.mark.parametrize("method", ["auto", "rodas4", "rodas5p"])
+@pytest.mark.parametrize("around", RESISTED)
+def test_the_balance_closes_at_any_resistance(around: str, method: Any, tolerance: float) -> None:
+    """What a strong resistance does follows from displacements, not from speeds within the tolerance."""
+    scene = by(replace(body("girder", "conservative", 1), **RESISTED[around]), method, tolerance=tolerance)
+    balance = after(scene, 0.1).energy()
+    assert abs(balance.residual) < 0.01 * max(abs(balance.air), abs(balance.friction))

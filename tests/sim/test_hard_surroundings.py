@@ -11,9 +11,10 @@ import pytest
 from msgspec.structs import replace
 
 from sim import Scene, Simulation, polygon
-from sim.scene.surroundings import Gas, Wall, Wind
+from sim.scene.surroundings import Gas, Ground, Wall, Wind
 from sim.scene.types import Method
 from sim.solve.registry import METHODS
+from tests.sim.bodies import body
 from tests.sim.builders import built
 from tests.sim.changes import by, with_masses, with_springs
 from tests.sim.checks import known
@@ -124,3 +125,18 @@ def test_a_gas_in_a_flat_loop_gets_no_energy_from_nowhere(method: Method) -> Non
     for _ in range(30):
         assert simulation.step(1, attempts=20_000) == 1
         assert abs(simulation.energy().residual) <= 1e-3 * largest
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        {"ground": Ground(forward=mu, backward=mu, sideways=mu, slip_speed=1e-3), "gravity": (0.0, 0.0)}
+        for mu in (100.0, 10.0)
+    ]
+    + [{"walls": (Wall(point=(0.0, 30.0), normal=(0.1, -1.0), friction=100.0, slip_speed=1e-3),)}],
+)
+def test_an_implicit_step_ends_where_masses_begin_to_stick(fields: dict[str, Any]) -> None:
+    scene = replace(body("girder", "conservative", 1), **fields)
+    simulation = Simulation(by(scene, "generalized_alpha", dt=1.0 / 960.0))
+    assert simulation.step(240) == 240
+    assert simulation.stats().steps < 20 * 240

@@ -12,14 +12,16 @@ import pytest
 from msgspec.structs import replace
 
 import sim
-from sim import Anchor, ArrowKeys, Integrator, Scene, Simulation, Wind
+from sim import Anchor, ArrowKeys, Beat, Integrator, Scene, Simulation, SpringMuscle, Wind
 from sim.engine.tables import Rosenbrock
 from sim.motion.driving import Driver
+from sim.scene.surroundings import Ground, Medium
 from sim.scene.types import Circle, ForceLaw, Method
 from sim.solve.registry import METHODS
 from tests.sim.arrays import Arrays
 from tests.sim.bodies import body, with_muscles
-from tests.sim.changes import with_joints, with_springs
+from tests.sim.builders import built, row
+from tests.sim.changes import after, by, with_joints, with_springs
 from tests.sim.inside import run_in_steps
 from tests.sim.laws import Laws, Path
 
@@ -215,6 +217,29 @@ def test_order_in_air(method: Method, steps: tuple[int, ...], low: float, high: 
     error is depends on where in its step the velocity changes sign, so this is a mean over bodies.
     """
     sizes = [errors(Motion(air=0.02, seed=seed), method, steps) for seed in range(6)]
+    assert low <= slope(steps, np.exp(np.log(sizes).mean(axis=0)).tolist()) <= high
+
+
+@pytest.mark.parametrize(
+    ("fields", "low", "high"),
+    [
+        ({"medium": Medium(across=3.0, along=1.2)}, 3.9, 4.1),
+        ({"ground": Ground(gravity=800.0, forward=0.3, backward=0.3, slip_speed=20.0)}, 3.8, 4.2),
+        ({"ground": Ground(gravity=800.0, forward=0.3, backward=0.5, slip_speed=20.0)}, 1.6, 2.9),
+    ],
+    ids=["medium", "ground", "scales"],
+)
+def test_order_on_ground(fields: dict[str, Any], low: float, high: float) -> None:
+    """The slope of friction on scales jumps where a spring turns round, which leaves order 2 in that step."""
+    steps, sizes = (250, 500, 1000, 2000), []
+    for seed in range(4):
+        speeds = [(float(x), float(y)) for x, y in np.random.default_rng(seed).normal(0.0, 60.0, (6, 2))]
+        scene = built(
+            row(6, 40.0), velocities=speeds, stiffness=800.0, damping=0.3, air_friction=0.0, **fields
+        )
+        scene = with_springs(replace(scene, beat=Beat(frequency=5.0)), muscle=SpringMuscle(amplitude=0.2))
+        ends = [after(by(scene, "rk4", dt=0.25 / n), 0.25).positions for n in (*steps, 16000)]
+        sizes.append([float(np.abs(end - ends[-1]).max()) for end in ends[:-1]])
     assert low <= slope(steps, np.exp(np.log(sizes).mean(axis=0)).tolist()) <= high
 
 

@@ -235,7 +235,7 @@ def test_scenes_pay_only_for_what_surrounds_and_touches_and_breaks_their_bodies(
         for table in (environment.air, environment.resistance, environment.walls, environment.fillings):
             assert all(array.size == 0 for name, array in table.arrays() if name != "start")
         for array in (
-            matrix.of_mass, matrix.touching, matrix.touched, matrix.krylov, matrix.hessenberg,
+            matrix.of_mass, matrix.coupling, matrix.coupling_state, matrix.krylov, matrix.hessenberg,
             state.set_length, state.set_angle, state.hardened, state.broken,
             state.wall_stretch, state.wall_place, state.contact_start, state.contact_stretch,
         ):  # fmt: skip

@@ -108,7 +108,7 @@ def test_rosenbrock_methods_fulfil_their_conditions(table: Rosenbrock, order: in
     assert np.diag(gamma) == pytest.approx(np.full(s, table.gamma), rel=1e-14)
     assert np.abs(alpha.sum(1) - table.c[:s]).max() <= 1e-12
     assert table.c[s] == 1.0
-    assert np.abs(gamma.sum(1) - table.slope).max() <= 1e-12
+    assert np.abs(gamma.sum(1) - table.time_weights).max() <= 1e-12
     assert misfit(b, order, alpha, beta) <= 1e-12
     assert misfit(b, order + 1, alpha, beta) > 1e-6
     assert misfit(error, embedded, alpha, beta, exact=False) <= 1e-12

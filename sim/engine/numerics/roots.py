@@ -9,7 +9,7 @@ from ..jit import kernel
 _ONE = np.float32(1.0)
 """1 in single precision."""
 
-LEAST = 1e-37
+MIN_SQUARE = 1e-37
 """Just above the smallest normal number of single precision, 1.2e-38."""
 
 
@@ -25,12 +25,12 @@ def inverse_root(square):
     The fast-math flags are those of the kernel that it is inlined into. Under `FAST` the processor may
     approximate the single-precision part.
     """
-    return inverse_root_from_least(max(square, LEAST))
+    return inverse_root_from_min(max(square, MIN_SQUARE))
 
 
 @kernel(inline="always")
-def inverse_root_from_least(square):
-    """`inverse_root` of a number that is not below `LEAST`."""
+def inverse_root_from_min(square):
+    """`inverse_root` of a number that is not below `MIN_SQUARE`."""
     seed = np.float64(_ONE / np.sqrt(np.float32(square)))
     off = 1.0 - square * seed * seed
     return seed + seed * off * (0.5 + 0.375 * off)

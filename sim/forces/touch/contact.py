@@ -207,8 +207,8 @@ def _add_power(body, state, balance, q, v, part):
 
 
 # ------------------------------------------------------------------------- derivatives
-TOUCHING_G, TOUCHING_DEFINITE, TOUCHING_PAIRS = 0, 1, 2
-"""In `Matrix.touching`: factor of the derivatives by velocities, 1/s, whether what could make the matrix
+COUPLING_G, COUPLING_DEFINITE, COUPLING_PAIRS = 0, 1, 2
+"""In `Matrix.coupling`: factor of the derivatives by velocities, 1/s, whether what could make the matrix
 indefinite is left out, and the number of pairs that touch."""
 
 
@@ -331,11 +331,11 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
     contact, slots = body.environment.contact, q.size // 2
     if not contact.present:
         return
-    touched, targets, blocks, count = matrix.touched, matrix.spring_target, matrix.blocks, 0
+    at, targets, blocks, count = matrix.coupling_state, matrix.spring_target, matrix.blocks, 0
     for j in range(q.size):
-        touched[0, j], touched[1, j] = q[j], v[j]
+        at[0, j], at[1, j] = q[j], v[j]
     for i in range(slots):
-        touched[2, i] = state.inverse_mass[i]
+        at[2, i] = state.inverse_mass[i]
     update_pairs(body, q[:slots], q[slots:])
     for s in range(body.springs):
         first, behind = pairs_of(body, s)
@@ -358,16 +358,16 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
                         blocks[ba + e] += t * u * f + t * fe - u * h - he
                         blocks[ab + e] += u * t * f + t * h - u * fe - he
                         blocks[aa + e] += u * u * f + u * (h + fe) + he
-    matrix.touching[TOUCHING_G], matrix.touching[TOUCHING_PAIRS] = g, count
-    matrix.touching[TOUCHING_DEFINITE] = 1.0 if definite else 0.0
+    matrix.coupling[COUPLING_G], matrix.coupling[COUPLING_PAIRS] = g, count
+    matrix.coupling[COUPLING_DEFINITE] = 1.0 if definite else 0.0
 
 
 @kernel(internal=True, fastmath=FUSED)
 def add_coupling(body, state, matrix, z, out):
     """out += R z, with the blocks of a I - g Jv - Jx that join masses to springs, of the last factors."""
     contact, slots = body.environment.contact, z.size // 2
-    q, v, w = matrix.touched[0], matrix.touched[1], matrix.touched[2]
-    g, definite = matrix.touching[TOUCHING_G], matrix.touching[TOUCHING_DEFINITE] > 0.0
+    q, v, w = matrix.coupling_state[0], matrix.coupling_state[1], matrix.coupling_state[2]
+    g, definite = matrix.coupling[COUPLING_G], matrix.coupling[COUPLING_DEFINITE] > 0.0
     update_pairs(body, q[:slots], q[slots:])
     for s in range(body.springs):
         first, behind = pairs_of(body, s)

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...engine.jit import FAST, kernel
 from ...engine.table import Rows, Table
-from ...engine.tables import Body, State
+from ...engine.tables import MIN_STIFF_RATE, Body, State
 from ...scene.surroundings import Wall
 from ...scene.types import Scene
 from ..events import kept_stretch, slip_fraction, stretch_since_touch, touch_fraction
@@ -31,9 +31,6 @@ from .push import (
     tangential_spring,
     time_to_deepest,
 )
-
-_QUICKLY = 4.0
-"""Step length in time constants of friction from which it stops a mass within a fraction of the step."""
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
@@ -286,17 +283,15 @@ def mark_stiff_friction(body, inverse_mass, q0, q1, h, quick):
 
     Args:
         q0, q1: flat positions at both ends of the step.
-        quick: (W, 2 slots) in its first half, 1 for each such mass; cleared otherwise.
+        quick: `EnergyBalance.quick`, which is zero.
     """
     rows, slots, found = body.environment.walls.rows, q0.size // 2, False
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         rate = h * wall.friction * wall.hardness / wall.slip_speed
-        for i in range(quick.shape[1]):
-            quick[k, i] = 0.0
         for i in range(1, body.masses + 1):
             depth = max(_depth_in(wall, q0[i], q0[slots + i]), _depth_in(wall, q1[i], q1[slots + i]))
-            if depth > 0.0 and inverse_mass[i] > 0.0 and rate * depth * depth > _QUICKLY:
+            if depth > 0.0 and inverse_mass[i] > 0.0 and rate * depth * depth > MIN_STIFF_RATE:
                 quick[k, i], found = 1.0, True
     return found
 
@@ -359,17 +354,18 @@ def _wall_derivatives(wall, depth, vx, vy, stretch, gripped, definite):
 
     Without a tangential spring, T = mu N tanh(u / u0). `gripped`: whether the mass has one there.
     The push is that without the softening for explicit methods, which use no derivatives. With `definite`,
-    friction along t, which is not symmetric, is left out of the first factors.
+    friction along t, which is not symmetric, is left out of the first factors, and dT/du is its secant T / u.
     """
     nx, ny = wall.nx, wall.ny
     friction, slip_speed = wall.friction, wall.slip_speed
-    push, _, _, along = _wall_push(wall, 0.0, depth, vx, vy, stretch)
+    push, rubbing, _, along = _wall_push(wall, 0.0, depth, vx, vy, stretch)
     held, stiff, drag = friction_slopes(friction * push, slip_speed, _spring(wall), along, stretch)
     stiff = stiff if gripped else 0.0
     by_depth, by_speed = push_slopes(wall.hardness, _lost(wall), depth, vx * nx + vy * ny)
     fx, fy = nx + friction * held * ny, ny - friction * held * nx
     if definite:
         fx, fy = nx, ny
+        drag = rubbing / along if wall.tangential == 0.0 and along != 0.0 else drag
     by_position = (
         -by_depth * fx * nx - stiff * ny * ny,
         -by_depth * fx * ny + stiff * ny * nx,

@@ -12,6 +12,7 @@ from ...forces.drive import drive_to, hand_speed, lead_of
 from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
 from ...forces.muscles import power_of_muscles
 from ...forces.plasticity import yield_at
+from ...forces.resistance import gather_other_powers, mark_stiff_resistance, work_of_stiff_resistance
 from ...forces.springs import spring_power_of_keys
 from ...forces.touch.walls import gather_others, mark_stiff_friction, work_of_quick
 from .dissipation import dissipated_energy, gather_dampers
@@ -23,7 +24,7 @@ _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 """Gauss-Legendre nodes on (0, 1), of order six."""
 _WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
 """Their weights."""
-_MOST_PARTS = 1000.0
+_MAX_PARTS = 1000.0
 """Largest number of parts of a step, each with these nodes, less one: of a radian of the quickest muscle."""
 
 
@@ -81,7 +82,11 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
     smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
     balance.dampers[:] = 0.0
     quick = balance.quick
-    any_quick = quick.shape[0] > 0 and mark_stiff_friction(body, state.inverse_mass, state.q, q1, h, quick)
+    any_quick = False
+    if quick.shape[0] > 0:
+        quick[:] = 0.0
+        any_quick = mark_stiff_friction(body, state.inverse_mass, state.q, q1, h, quick)
+        any_quick = mark_stiff_resistance(body, state.inverse_mass, q1, h, quick) or any_quick
     parts = _parts_for_muscles(body, h)
     for i in range(3 * parts):
         u, weight = (i // 3 + _NODES[i % 3]) / parts, _WEIGHTS[i % 3] / parts
@@ -95,9 +100,11 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
         if any_quick:
             accelerate(problem, q, v, a)
             gather_others(body, state, q, v, a, weight, quick)
+            gather_other_powers(body, state, q, v, a, weight, quick)
         gather_dampers(body, q, v, weight, balance.dampers)
     if any_quick:
         balance.work.walls += work_of_quick(body, state.v, v1, h, quick)
+        work_of_stiff_resistance(body, balance, state.v, v1, h)
     balance.work.damping -= dissipated_energy(body, state.inverse_mass, state.q, state.v, h, balance.dampers)
     if drive.pressed or drive.timed:
         drive_to(body, state, drive, t + h, q, v)
@@ -112,7 +119,7 @@ def _parts_for_muscles(body, h):
         for i in range(rows.shape[0]):
             sharper = 1.0 + SHARPNESS if rows[i, PULSE] > 0.0 else 1.0
             quickest = max(quickest, abs(rows[i, RATE]) * sharper)
-    return 1 + int(min(quickest * h, _MOST_PARTS))
+    return 1 + int(min(quickest * h, _MAX_PARTS))
 
 
 @kernel(fastmath=FAST)

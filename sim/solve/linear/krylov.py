@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from ...engine.jit import FAST, kernel
-from ...forces.touch.contact import TOUCHING_PAIRS, add_coupling
+from ...forces.touch.contact import COUPLING_PAIRS, add_coupling
 from .sparse import solve_sparse
 from .vectors import add_multiple, dot
 
@@ -27,7 +27,7 @@ _CYCLES = 4
 def solve_with_contact(body, state, matrix, b):
     """Like `sparse.solve_sparse`, with all of contact."""
     solve_sparse(body, matrix, b)
-    if not body.environment.contact.present or matrix.touching[TOUCHING_PAIRS] == 0.0:
+    if not body.environment.contact.present or matrix.coupling[COUPLING_PAIRS] == 0.0:
         return
     space, hessenberg, width = matrix.krylov, matrix.hessenberg, matrix.hessenberg.shape[1]
     x, right, most = space[width], space[width + 1], width - 1

@@ -46,7 +46,7 @@ _LITTLE = 0.06
 _MUCH = 0.6
 """Error, in tolerances, above which a step is too long."""
 
-_LEAST = 3
+_MIN_DEGREE = 3
 """Lowest degree that the choice of degrees leads to."""
 _WEIGHED = 16
 """Number of steps after which the current degree is compared with its neighbours."""
@@ -83,8 +83,8 @@ def _step(problem, drive, old, new, t, h, tolerance):
     state, integrator, method = problem.state, problem.integrator, problem.adams
     adams, trial, past = integrator.adams, integrator.trial, integrator.adams.past
     ahead = integrator.rows[0]
-    adams.most = min(adams.most, _highest_degree(problem, h))
-    degree = adams.degree = min(adams.degree, adams.most)
+    adams.target_degree = min(adams.target_degree, _highest_degree(problem, h))
+    degree = adams.degree = min(adams.degree, adams.target_degree)
     if degree > 0 and abs(h - adams.spacing) > 1e-9 * adams.spacing:
         _space(past, adams.head, method, degree, h / adams.spacing, integrator.rows)
         adams.known = degree + 1
@@ -103,8 +103,8 @@ def _step(problem, drive, old, new, t, h, tolerance):
     if adams.turns:
         with_kinks(state.air, old.v, past[adams.head], new.a, h, new.q, new.v)
     else:  # what turned was moved again
-        trial.far, trial.fast = from_bits(far), from_bits(fast)
-    trial.moved = from_bits(moved)
+        trial.max_position, trial.max_speed = from_bits(far), from_bits(fast)
+    trial.max_move = from_bits(moved)
     error = _scale(trial, h, tolerance) * method.error[degree] * from_bits(change)
     return error if error < HOPELESS else HOPELESS
 
@@ -117,18 +117,18 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
     degree, top, scale = adams.degree, _highest_degree(problem, h), _scale(integrator.trial, h, tolerance)
     if not good:
         adams.since = 0
-        if degree == adams.most and error > 1.0:
+        if degree == adams.target_degree and error > 1.0:
             degree, error = _best_degree(past, adams.head, 0, method, degree, top, scale, error, new.a)
-            adams.most = degree
+            adams.target_degree = degree
         h *= min(0.5, max(0.2, 0.9 * max(error, 2.0) ** (-1.0 / (degree + 2.0))))
         if integrator.trial.failures > 1:
             degree, adams.known = 0, 1  # the past no longer predicts anything
         adams.degree = degree
         if h < SHORTEST_STEP:
-            run.what = STUCK
+            run.status = STUCK
         return h
-    if degree == adams.most and adams.since % _WEIGHED == _WEIGHED - 1:
-        adams.most, error = _best_degree(
+    if degree == adams.target_degree and adams.since % _WEIGHED == _WEIGHED - 1:
+        adams.target_degree, error = _best_degree(
             past, adams.head, adams.known, method, degree, top, scale, error, new.a
         )
     # Overwrites the oldest acceleration, which is no longer needed.
@@ -143,8 +143,8 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
         new.a[j] = latest[j]
     adams.time = integrator.trial.end
     adams.since += 1
-    degree = min(degree, adams.most)
-    rising = degree < adams.most
+    degree = min(degree, adams.target_degree)
+    rising = degree < adams.target_degree
     factor = 1.0
     if rising or error > _MUCH or (error < _LITTLE and adams.since > _PATIENCE):  # powers are slow
         factor = min(
@@ -162,7 +162,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
 def _forget(integrator, method):
     """Begin with the present accelerations alone."""
     adams = integrator.adams
-    adams.degree, adams.most, adams.head, adams.known, adams.since = 0, method.degree, 0, 1, 0
+    adams.degree, adams.target_degree, adams.head, adams.known, adams.since = 0, method.degree, 0, 1, 0
     adams.spacing, adams.time = 0.0, integrator.run.time
     for j in range(1, integrator.a.size - SPARE):
         adams.past[0, j] = integrator.a[j]
@@ -251,7 +251,7 @@ def _best_degree(past, head, known, method, degree, top, scale, error, to_a):
         to_a: the accelerations found at the predicted state.
     """
     best, least, stride = degree, error, _stride(error, degree)
-    if degree > _LEAST:
+    if degree > _MIN_DEGREE:
         lower = scale * method.error[degree - 1] * _off(past, head, method, degree - 1, to_a)
         if _stride(lower, degree - 1) > stride:
             best, least, stride = degree - 1, lower, _stride(lower, degree - 1)

@@ -109,7 +109,7 @@ def next_turn(problem, end, whole_tolerance, left):
         _enter_turn(integrator, costs, auto.turn, tries, price, end)
         auto.turn = -1
         left -= spent
-    if not (run.time < end and left > 0 and run.what == GOOD):
+    if not (run.time < end and left > 0 and run.status == GOOD):
         return -1, 0, 0.0, spent
     method, limit = _select_method(
         auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited, _LONGEST * problem.near_damped_limit
@@ -148,8 +148,8 @@ def _enter_turn(integrator, costs, method, tries, price, end):
     if method == VERLET:
         auto.limited = integrator.verlet.limited / max(tries, 1)
     pace = went / max(price, 1.0)
-    if run.what == STUCK and method != ROSENBROCK and costs[ROSENBROCK] > 0.0:
-        run.what = GOOD  # another method may still find a step
+    if run.status == STUCK and method != ROSENBROCK and costs[ROSENBROCK] > 0.0:
+        run.status = GOOD  # another method may still find a step
         auto.step[method] = 0.0
         auto.pace[method] = 0.0
         if auto.pace[ROSENBROCK] == 0.0:

@@ -163,7 +163,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
     if not good:
         h = step * min(factor, left)
         if h < SHORTEST_STEP:
-            integrator.run.what = STUCK
+            integrator.run.status = STUCK
         return h
     return step_after_good(h, step, factor, after_failure)
 

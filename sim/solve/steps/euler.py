@@ -26,8 +26,8 @@ def _step(problem, drive, old, new, t, h, tolerance):
     """
     trial, q, v = problem.integrator.trial, new.q, new.v
     _copy(old.q, old.v, q, v)
-    trial.count = trial.most
-    for i in range(1, trial.most + 1):
+    trial.count = trial.max_steps
+    for i in range(1, trial.max_steps + 1):
         start = t if i == 1 else trial.end
         trial.end = fixed_time(problem, trial.number + i)
         lead(drive, trial.end, start, q, v)
@@ -36,7 +36,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         accelerate(problem, q, v, new.a)
         _kick_and_drift(q, v, new.a, h)
         lead_to(drive, trial.end, q, v)  # the drift has moved them
-    problem.integrator.run.forces += trial.most
+    problem.integrator.run.forces += trial.max_steps
     return 0.0
 
 

@@ -95,8 +95,8 @@ def run_fallback(problem, drive, h, shortest, reach):
     run.time = t + h
     run.step = alpha.last = alpha.older = 0.0
     run.current = False
-    run.what = GOOD
+    run.status = GOOD
     if commit_plasticity(problem, integrator.old, integrator.old, -1.0):
-        run.what = CHANGED
+        run.status = CHANGED
     run.fallbacks += 1
     run.matrices += 1

@@ -34,6 +34,10 @@ _STARTUP_STEPS = 2
 
 _ITERATIONS = 8
 """Largest number of Newton iterations in a step."""
+_SECANT_ITERATIONS = 30
+"""The same with friction, where iterations that do not contract go on with its secants. By experiment (girder
+on ground, friction 100, slip speed 1e-3, 1/960 s): with 8, 15, 30, 60, a step takes 780, 25, 3.5, 2 parts and
+8100, 420, 90, 80 matrices."""
 _SLIGHT = 0.4
 """Size of a second Newton update, in tolerances times the step squared (s²), below which it is left out: an
 error d of a position makes an error of about d / h² of the acceleration, which persists for many steps. With
@@ -132,9 +136,11 @@ def _step(problem, drive, old, new, t, h, tolerance):
     for j in range(1, q.size - SPARE):
         q_pred[j] = to_q[j]
         to_q[j] += again * predictor_error[j]
-    converged, last = False, 1e300
+    converged, secants, last = False, False, 1e300
+    around = body.environment
+    rubs = around.resistance.grounded or around.walls.rows.shape[0] > 0
     surveyed = fixed == 0.0 and alpha.contraction > 0.0 and alpha.steps % _SURVEY > 0
-    for iteration in range(_ITERATIONS):
+    for iteration in range(_SECANT_ITERATIONS if rubs else _ITERATIONS):
         for j in range(1, q.size - SPARE):
             to_v[j] = speed[j] + g1 * (to_q[j] - start[j])
         if drive.moving:
@@ -142,15 +148,17 @@ def _step(problem, drive, old, new, t, h, tolerance):
         accelerate(problem, to_q, to_v, force)
         for j in range(1, q.size - SPARE):
             move[j] = force[j] - (g2 * (to_q[j] - start[j]) - pull[j])
-        _rest(drive, move)
+        _zero_prescribed(drive, move)
         # The second iteration is close enough to the first to use its matrix.
         if iteration != 1 or last > 10.0 * _SPAN * tolerance:
-            factorise(problem, to_q, to_v, g2, g1, False)
+            factorise(problem, to_q, to_v, g2, g1, secants)
             integrator.run.matrices += 1
         solve(problem, move)
         integrator.run.forces += 1
         size = max_abs(move)
-        if not size < 1e8 or (iteration >= 3 and size > 0.5 * last):
+        # Where a mass begins to stick, Newton's method overshoots from the flat part of the law of friction.
+        secants = secants or (rubs and iteration > 0 and size > (1.0 if iteration < 3 else 0.5) * last)
+        if not size < 1e8 or (iteration >= 3 and size > (2.0 if secants else 0.5) * last):
             break
         turn_and_stretch(problem.matrix, state.inverse_mass, to_q, move, vector)
         if size < precision or (iteration > 0 and size * (size / last) < 0.1 * precision):
@@ -169,7 +177,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
         new.a[j] = g2 * (to_q[j] - start[j]) - pull[j]
     if drive.moving:
         drive_to(body, state, drive, t + h, to_q, to_v)
-        _rest(drive, new.a)
+        _zero_prescribed(drive, new.a)
     if fixed > 0.0:
         return 0.0 if no_tunnelling(problem, q, to_q) else 2.0
     part = _ERROR if alpha.older > 0.0 else 0.3 * _ERROR
@@ -192,7 +200,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
         for j in range(1, old.q.size - SPARE):
             a_prev[j] = (new.q[j] - start[j]) * inverse
             predictor_error[j] = new.q[j] - q_pred[j]
-        _rest(drive, a_prev)
+        _zero_prescribed(drive, a_prev)
         alpha.cube = 0.0 if _is_calming(problem) else alpha.next_cube
         alpha.steps += 1
     else:
@@ -242,7 +250,7 @@ def _longest(problem, old):
 
 
 @kernel(forceinline=True)
-def _rest(drive, a):
+def _zero_prescribed(drive, a):
     """Clear the accelerations of driven masses."""
     for k in range(drive.mass.size):
         m = drive.mass[k]

@@ -38,14 +38,14 @@ def _blame(body, integrator, q, v):
     slots = q.size // 2
     for i in range(1, body.masses + 1):
         for j in (i, slots + i):
-            what = GOOD
+            status = GOOD
             if not (np.isfinite(q[j]) and np.isfinite(v[j])):
-                what = BAD_NUMBER
+                status = BAD_NUMBER
             elif abs(q[j]) > farthest:
-                what = BAD_POSITION
+                status = BAD_POSITION
             elif abs(v[j]) > fastest:
-                what = BAD_SPEED
-            if what != GOOD:
-                integrator.run.what = what
+                status = BAD_SPEED
+            if status != GOOD:
+                integrator.run.status = status
                 integrator.run.mass = i
                 return

@@ -51,11 +51,11 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         begin: kernel(problem, drive, tolerance), called first. Where `run.step` is 0, it sets that.
         step: kernel(problem, drive, old, new, t, h, tolerance) that leads from `old` at time t to `new` at
             t + h, evaluating forces with held masses and keys where they are then (`drive_to`). Returns the
-            error in tolerances; a step above 1 is not kept. It may go less far (`trial.h`, `trial.end`), and
-            may report what it knows of `new` (`trial.far`, `trial.fast`, `trial.moved`), which saves time. It
-            may also do up to `trial.most` steps of h seconds at once, and say so (`trial.count`,
-            `trial.end`). With an energy balance, `control` then accounts for all but the last
-            (`trial.start`), if the step is good.
+            error in tolerances; a step above 1 is rejected. It may take a shorter step (`trial.h`,
+            `trial.end`), and may report extrema of `new` (`trial.max_position`, `trial.max_speed`,
+            `trial.max_move`), which saves time. It may also take up to `trial.max_steps` steps of h seconds
+            at once, and report them (`trial.count`, `trial.end`). With an energy balance, `control` then
+            accounts for all but the last (`trial.start`), if the step is accepted.
         control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
             and before it is kept. Returns the step to try next; see `steps.step_after`.
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
@@ -78,7 +78,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         run.current = False
     # A body may be beyond its limits where it is put.
     if run.time == run.origin and commit_plasticity(problem, old, old, -1.0):
-        run.what, run.current = CHANGED, False
+        run.status, run.current = CHANGED, False
     if fixed > 0.0:
         number = fixed_steps(problem, run.time)
         last = fixed_steps(problem, end)
@@ -87,19 +87,19 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
     trial.failures = 0
     t, goal, is_whole = run.time, end, run.time == fixed_time(problem, number)
     tries, steps, swaps, shortest = 0, 0, 0, 0.0
-    while tries < attempts and t < end and run.what == GOOD:
+    while tries < attempts and t < end and run.status == GOOD:
         trial.count, trial.start = 1, t
         if fixed > 0.0:
             goal = fixed_time(problem, number + 1)
             h = fixed if is_whole else goal - t
             trial.end, trial.number = goal, number
-            trial.most = min(most, last - number, attempts - tries) if is_whole else 1
+            trial.max_steps = min(most, last - number, attempts - tries) if is_whole else 1
         else:
             h = fitting_step(t, end, run.step, equal_steps)
             trial.end = goal if h == goal - t else t + h
-            trial.most, trial.rest = min(most, attempts - tries), end - t
-        trial.h, trial.far, trial.fast, trial.moved = h, math.inf, math.inf, math.inf
-        trial.part = 1.0
+            trial.max_steps, trial.remaining = min(most, attempts - tries), end - t
+        trial.h, trial.max_position, trial.max_speed, trial.max_move = h, math.inf, math.inf, math.inf
+        trial.event_fraction = 1.0
         scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         if balance.active and not knows_a:
             lead_to(drive, t, old.q, old.v)
@@ -108,7 +108,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         h = trial.h
         if drive.mass.size > 0:
             lead_to(drive, trial.end, new.q, new.v)
-            trial.far = math.inf
+            trial.max_position = math.inf
         good = error <= 1.0 and _is_acceptable(problem, old, new, h, tolerance, shortest)
         tries += trial.count if good or fixed == 0.0 else 1
         if not good and drive.moving:  # the step has set them to a later time
@@ -116,15 +116,15 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         if not good and trial.count > 1 and fixed > 0.0:
             most, tries = 1, tries - 1  # one at a time, up to the last good state
             continue
-        if trial.part < 1.0:
-            run.step = trial.part * h
+        if trial.event_fraction < 1.0:
+            run.step = trial.event_fraction * h
             continue
         run.step = control(problem, drive, old, new, h, tolerance, error, good)
         if not good:
             trial.failures += 1
             continue
         # Before all that evaluates forces elsewhere.
-        shortest = shortest_of(body, problem.scratch) if trial.moved < math.inf else 0.0
+        shortest = shortest_of(body, problem.scratch) if trial.max_move < math.inf else 0.0
         if balance.active:
             if not knows_a:
                 accelerate(problem, new.q, new.v, new.a)
@@ -142,7 +142,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             old, new = new, old
             swaps += 1
         if broke:
-            run.what, run.current = CHANGED, False
+            run.status, run.current = CHANGED, False
         steps += trial.count
         t, is_whole = trial.end, fixed == 0.0 or trial.end == fixed_time(problem, number + trial.count)
         number += trial.count if is_whole else 0
@@ -161,19 +161,19 @@ def _is_acceptable(problem, old, new, h, tolerance, shortest):
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
     too_short = h < WORTH_SHORTENING
     final = too_short or (fixed > 0.0 and trial.count == 1)
-    known_ok = trial.far <= run.farthest and trial.fast <= run.fastest
+    known_ok = trial.max_position <= run.farthest and trial.max_speed <= run.fastest
     if not (known_ok or state_ok(body, integrator, new.q, new.v, final)):
         return False
     if fixed > 0.0:
         return True
     if not (
-        rotation_ok(body, problem.state, old.q, new.q, h, trial.moved, shortest)
+        rotation_ok(body, problem.state, old.q, new.q, h, trial.max_move, shortest)
         and no_tunnelling(problem, old.q, new.q)
     ):
         return False
     if not too_short:
-        trial.part = event_fraction(problem, old, new, h, tolerance)
-    return trial.part == 1.0
+        trial.event_fraction = event_fraction(problem, old, new, h, tolerance)
+    return trial.event_fraction == 1.0
 
 
 @kernel(internal=True)

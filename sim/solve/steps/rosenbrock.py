@@ -67,9 +67,9 @@ def _step(problem, drive, old, new, t, h, tolerance):
             break
         x, w = xs[i], ws[i]
         if drive.moving:
-            slope = method.slope[i] * h
+            by_t = method.time_weights[i] * h
             for j in range(1, q.size - SPARE):
-                right[j] += slope * by_time[j]
+                right[j] += by_t * by_time[j]
             for k in range(drive.mass.size):
                 m = drive.mass[k]
                 rest[m], rest[q.size // 2 + m] = 0.0, 0.0

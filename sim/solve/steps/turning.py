@@ -9,7 +9,7 @@ from __future__ import annotations
 from ...engine.jit import FAST, kernel
 from ...engine.tables import SPARE
 
-_LEAST = 1e-100
+_MIN_SQUARE = 1e-100
 """Lower bound, px², of a squared length that is divided by."""
 
 
@@ -94,7 +94,7 @@ def _add_up(matrix, inverse_mass, vector, q):
 @kernel(forceinline=True, fastmath=FAST)
 def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
     """Extrapolate (x, y) from (x1, y1) a step ago and (x0, y0) two ago; unchanged if it varies too much."""
-    square1, square0 = max(x1 * x1 + y1 * y1, _LEAST), max(x0 * x0 + y0 * y0, _LEAST)
+    square1, square0 = max(x1 * x1 + y1 * y1, _MIN_SQUARE), max(x0 * x0 + y0 * y0, _MIN_SQUARE)
     both = 1.0 / (square1 * square0)  # one division instead of two
     re1, im1 = _logarithm(x, y, x1, y1, square0 * both)
     re0, im0 = _logarithm(x1, y1, x0, y0, square1 * both)
@@ -107,7 +107,7 @@ def _extrapolated(x, y, x1, y1, x0, y0, c1, c0):
 @kernel(forceinline=True, fastmath=FAST)
 def _updated(x, y, dx, dy):
     """A vector turned and stretched so that it changes by (dx, dy) to first order."""
-    inverse = 1.0 / max(x * x + y * y, _LEAST)
+    inverse = 1.0 / max(x * x + y * y, _MIN_SQUARE)
     stretch, turn = 1.0 + (x * dx + y * dy) * inverse, (x * dy - y * dx) * inverse
     turned_x, turned_y = _turned(x, y, stretch, turn)
     tame = _is_tame(stretch, turn)

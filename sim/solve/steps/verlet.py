@@ -92,11 +92,11 @@ def _step(problem, drive, old, new, t, h, tolerance):
     integrator = problem.integrator
     trial, verlet = integrator.trial, integrator.verlet
     near = problem.fixed == 0.0 and integrator.run.step >= problem.near_damped_limit
-    most = min(_AT_ONCE, trial.most, verlet.since // 2)
+    most = min(_AT_ONCE, trial.max_steps, verlet.since // 2)
     if near and most > 1 and verlet.held and verlet.reach > 0.0 and problem.no_tunnelling == 0:
         # The last steps before `end` are made equally long.
         far = _MARGIN * verlet.reach / max(h * verlet.speed, 1e-300)
-        most = int(min(most, trial.rest / h - 2.0, far))
+        most = int(min(most, trial.remaining / h - 2.0, far))
         if most > 1:
             return _steps_at_limit(problem, drive, old, new, t, h, tolerance, most)
     slope, next_slope = integrator.rows[verlet.row], integrator.rows[1 - verlet.row]
@@ -108,7 +108,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
     lags = near or (problem.fixed == 0.0 and problem.no_tunnelling != 0)
     past = _PAST if lags else 0.0
     change, far, fast, moved = _correct(old.q, old.v, old.a, new.a, 0.5 * h, past, new.q, new.v, next_slope)
-    trial.far, trial.fast, trial.moved = from_bits(far), from_bits(fast), from_bits(moved)
+    trial.max_position, trial.max_speed, trial.max_move = from_bits(far), from_bits(fast), from_bits(moved)
     if problem.fixed > 0.0:
         return 0.0
     error = from_bits(change) * h * h / (12.0 * max(h, SHORTEST_SPAN) * tolerance)
@@ -150,8 +150,12 @@ def _steps_at_limit(problem, drive, old, new, t, h, tolerance, count):
         change, far, fast = _end_leaps(before, a, h, q, v, middle, rows[1 - verlet.row])
         most, fastest = max(most, change), max(fastest, fast)
         # A mass may have moved to and fro.
-        trial.far, trial.fast, trial.moved = from_bits(far), from_bits(fast), done * h * from_bits(fastest)
-        if not trial.moved < verlet.reach:
+        trial.max_position, trial.max_speed, trial.max_move = (
+            from_bits(far),
+            from_bits(fast),
+            done * h * from_bits(fastest),
+        )
+        if not trial.max_move < verlet.reach:
             return 2.0
     error = from_bits(most) * per_change
     return error if error < HOPELESS else HOPELESS
@@ -221,7 +225,7 @@ def _control(problem, drive, old, new, h, tolerance, error, good):
         verlet.held = verlet.since <= _HOLDS and cap >= problem.near_damped_limit
         if verlet.held:
             verlet.reach = SURE / BOTH_ENDS * shortest_of(problem.body, problem.scratch)
-            verlet.speed = trial.fast
+            verlet.speed = trial.max_speed
         return cap
     after = step_after(integrator, planned, h, error, 2, True, failures > 0)
     if after > cap:
