@@ -296,7 +296,7 @@ class LeadParameters(NamedTuple):
     ramp: float  # time constant, s
 
 
-class Run(Record):
+class Progress(Record):
     """How far a run has come, and what it did."""
 
     time: float  # simulated time, s
@@ -411,7 +411,7 @@ class IntegratorState(Table):
     old: PhasePoint  # the state and these accelerations
     new: PhasePoint  # room for a step
     rows: Rows  # (R, 2 slots) scratch
-    run: Run
+    run: Progress
     trial: StepAttempt
     verlet: VerletState
     alpha: AlphaState

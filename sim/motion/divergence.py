@@ -14,7 +14,7 @@ from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.steps import guard
-from .run import Outcome
+from .motion import Outcome
 from .stability import StabilityEstimate, StabilityMeter
 
 Quantity = Literal["number", "position", "speed", "step"]

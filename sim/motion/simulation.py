@@ -25,9 +25,9 @@ from .divergence import Divergence, explain
 from .energy import Energies, EnergyTracker
 from .hands import Hands, within_bounds
 from .moment import Moment
+from .motion import Motion, presses_of
 from .plain import PlainSolver
 from .recording import Recording
-from .run import Run, presses_of
 from .solver import UNLIMITED, Solver, SolverStats
 from .stability import LimitEstimate, StabilityEstimate, StabilityMeter, finished
 
@@ -156,28 +156,28 @@ class Simulation:
     @property
     def step_count(self) -> int:
         """Steps done since the start or the last reset."""
-        return self._run.steps
+        return self._motion.steps
 
     @property
     def time(self) -> float:
         """Simulated time since the start or the last reset, s."""
-        return self._run.time
+        return self._motion.time
 
     @property
     def plain(self) -> bool:
         """Whether it moves by NumPy, because the kernels of its method are not compiled yet."""
-        return isinstance(self._run.solver, PlainSolver)
+        return isinstance(self._motion.solver, PlainSolver)
 
     @property
     def complete(self) -> bool:
         """Whether all kernels that it may use are there; if not, how it goes on depends on the compiler."""
-        solver = self._run.solver
+        solver = self._motion.solver
         return isinstance(solver, Solver) and solver.complete
 
     @property
     def work(self) -> int:
         """What the method has tried since the last call of `stats`, see `SolverStats`."""
-        return self._run.solver.work
+        return self._motion.solver.work
 
     @property
     def rate_limited(self) -> bool:
@@ -213,7 +213,7 @@ class Simulation:
 
     def stats(self) -> SolverStats:
         """What the method did since the last call of this."""
-        return self._run.solver.stats()
+        return self._motion.solver.stats()
 
     def energy(self) -> Energies:
         """The energies, and what has changed them since this was first called, or since the last reset.
@@ -231,7 +231,7 @@ class Simulation:
 
         It cannot be as long as a simulation that does not `wait` lacks the kernels for that.
         """
-        solver = self._run.solver
+        solver = self._motion.solver
         if not on:
             self._tracker = None
             if isinstance(solver, Solver):
@@ -268,7 +268,7 @@ class Simulation:
         self._hands.leave(index)
         with self._by_hand():
             self._state.x[index], self._state.y[index] = x, y
-        self._run.begin_anew()
+        self._motion.begin_anew()
 
     def lead(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere: in a straight line, over all steps of the next call of `step`.
@@ -298,7 +298,7 @@ class Simulation:
         """
         self._hands.grab(self._existing_mass(mass))
         with self._by_hand():
-            self._run.hold()
+            self._motion.hold()
 
     def release(self, mass: int) -> None:
         """Let go of a grabbed mass: it is free, and at rest, or held again, as the scene says.
@@ -307,11 +307,11 @@ class Simulation:
         """
         self._hands.release(self._existing_mass(mass))
         with self._by_hand():
-            self._run.hold()
+            self._motion.hold()
 
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""
-        return self._run.take_compiled()
+        return self._motion.take_compiled()
 
     def step(self, n: int = 1, attempts: int | None = None) -> int:
         """Go on by n time steps, and return how many were done.
@@ -324,7 +324,7 @@ class Simulation:
         limit = UNLIMITED if attempts is None else attempts
         if n > 0 and not self._keys and self.divergence is None:
             # The usual case first: the physics of a short body takes less time than what follows.
-            limit = self._run.go_on(n, limit)
+            limit = self._motion.go_on(n, limit)
             if limit < 0:
                 return n
         if n < 0:
@@ -334,7 +334,7 @@ class Simulation:
         if self.plain:
             self.take_compiled()
         presses = presses_of(self._scene, self._keys)
-        outcome = self._run.step(n, presses, limit)
+        outcome = self._motion.step(n, presses, limit)
         if outcome.status != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
@@ -392,14 +392,14 @@ class Simulation:
 
     def reset(self) -> None:
         """Back to the scene's start: positions, velocities, time, rest lengths and rest angles."""
-        self._run.go_to_start()
+        self._motion.go_to_start()
         self._time_remainder = 0.0
         self._begun()
 
     def capture(self) -> Moment:
         """The present moment, to come back to; a mass in a hand is at rest in it, as if let go."""
         scale, shift = map(float, self._state.controls)
-        rows, _, grips = self._run.carried()
+        rows, _, grips = self._motion.carried()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
         return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage, grips)
@@ -418,7 +418,7 @@ class Simulation:
         self._hands.clear()
         controls = moment.rest_length_scale, moment.rest_angle_shift
         carried = Carried(moment.rows, moment.damage, moment.grips)
-        self._run.begin(carried, moment.time, moment.step_count, controls)
+        self._motion.begin(carried, moment.time, moment.step_count, controls)
         self._begun()
         if kept:
             self.track_energy(True)
@@ -430,17 +430,17 @@ class Simulation:
             other: the other one.
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
-        carried = other._run.carried()
+        carried = other._motion.carried()
         if self._lacks_room_for(carried.damage):
             self._install(self._scene, carried.damage)
         self._time_remainder = other._time_remainder
         self._hands.take_over(other._hands)
         self._keys = other._keys
-        self._run.begin(carried, other.time, other.step_count)
+        self._motion.begin(carried, other.time, other.step_count)
         if shift is not None:
             free = self._state.inverse_mass[self._system.mass_index] > 0.0
             carried = carried._replace(rows=carried.rows + np.where(free, shift, 0.0))
-            self._run.begin(carried, other.time, other.step_count)
+            self._motion.begin(carried, other.time, other.step_count)
         self._begun()
 
     def replace(self, scene: Scene) -> None:
@@ -455,7 +455,7 @@ class Simulation:
             self._install(scene)
             self.reset()
             return
-        time, steps, carried = self.time, self.step_count, self._run.carried()
+        time, steps, carried = self.time, self.step_count, self._motion.carried()
         if carried.grips is not None and not same_walls(self._scene, scene):
             carried = carried._replace(grips=msgspec.structs.replace(carried.grips, walls=()))
         hands, tracker = self._hands, self._tracker
@@ -463,7 +463,7 @@ class Simulation:
             tracker.close()
         self._install(scene, carried.damage)
         self._hands.take_over(hands)
-        self._run.begin(carried, time, steps)
+        self._motion.begin(carried, time, steps)
         self._begun()
         # Where the kernels of the new method are still being compiled, there is no balance for now.
         if tracker is not None and self.track_energy(True) and self._tracker is not None:
@@ -473,8 +473,8 @@ class Simulation:
     def _install(self, scene: Scene, damage: Damage | None = None) -> None:
         """Make room for a valid scene and a damage; the state is still to be filled in."""
         self._scene = scene
-        self._run = Run(scene, damage is not None, self._wait)
-        self._state = self._run.state
+        self._motion = Motion(scene, damage is not None, self._wait)
+        self._state = self._motion.state
         self._joint_ends: tuple[Indices, Indices] | None = None  # once angles have been asked for
         self._meter: StabilityMeter | None = None
         self._tracker: EnergyTracker | None = None
@@ -484,11 +484,11 @@ class Simulation:
     @property
     def _system(self) -> System:
         """The tables, without what has broken."""
-        return self._run.system
+        return self._motion.system
 
     @property
     def _hands(self) -> Hands:
-        return self._run.hands
+        return self._motion.hands
 
     def _lacks_room_for(self, damage: Damage | None) -> bool:
         """Whether the tables are those of a body that can have no damage."""
@@ -503,8 +503,8 @@ class Simulation:
             self._tracker.moved(before)
 
     def _new_tracker(self) -> EnergyTracker:
-        assert isinstance(self._run.solver, Solver)
-        return EnergyTracker(self._state, self._run.solver)
+        assert isinstance(self._motion.solver, Solver)
+        return EnergyTracker(self._state, self._motion.solver)
 
     def _with_overrides(self, scene: Scene) -> Scene:
         if isinstance(scene, Scene) and self._overrides:

@@ -38,8 +38,8 @@ from ..engine.tables import (
     PhasePoint,
     PrescribedMotion,
     Problem,
+    Progress,
     Rosenbrock,
-    Run,
     Scratch,
     State,
     StepAttempt,
@@ -71,7 +71,7 @@ _ROWS_OFFSET = 2560 // 8
 _NO_BALANCE = EnergyBalance.empty().replaced(work=Work())
 """Of all solvers that keep none; nobody reads what is entered into it."""
 
-_TIME, _STATUS, _STEPS, _REJECTED = map(Run.place, ("time", "status", "steps", "rejected"))
+_TIME, _STATUS, _STEPS, _REJECTED = map(Progress.place, ("time", "status", "steps", "rejected"))
 """Where a run's numbers are in its words."""
 
 _NEXT_TURN = ENTRY_POINTS["next_turn"]
@@ -139,7 +139,7 @@ def _layout(wide: int, past: int, alpha: int) -> Layout[IntegratorState]:
         old=PhasePoint(q=np.zeros(0), v=np.zeros(0), a=rows[0]),  # of each state its own
         new=PhasePoint(q=arrays[0], v=arrays[1], a=arrays[2]),
         rows=rows[1 : 1 + _ROWS],
-        run=Run(),
+        run=Progress(),
         trial=StepAttempt(),
         verlet=VerletState(),
         alpha=AlphaState(rows=rows[1 + _ROWS + past :]),

@@ -160,10 +160,10 @@ def contenders(n: int, steps: int, library: ctypes.CDLL | None) -> dict[str, Cal
 
 def _with_body(simulation: sim.Simulation, changed: Callable[[Body], Body]) -> sim.Simulation:
     """Give a simulation other tables."""
-    run = simulation._run
-    run._whole = dataclasses.replace(run._whole, body=changed(run._whole.body))
-    run.scratch = new_scratch(run._whole)
-    run.solver = run._new_solver()
+    motion = simulation._motion
+    motion._whole = dataclasses.replace(motion._whole, body=changed(motion._whole.body))
+    motion.scratch = new_scratch(motion._whole)
+    motion.solver = motion._new_solver()
     return simulation
 
 

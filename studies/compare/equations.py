@@ -137,7 +137,7 @@ class Equations:
         self._tables = _Tables(
             body=system.body,
             state=state,
-            scratch=simulation._run.scratch,
+            scratch=simulation._motion.scratch,
             drive=Driver(scene, system, state).drive(0.0, np.inf, {}),
             matrix=matrix,
             at=at,

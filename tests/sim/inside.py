@@ -32,7 +32,7 @@ def system_of(simulation: Simulation) -> System:
 
 def solver_of(simulation: Simulation) -> Solver:
     """What runs the simulation's method."""
-    solver = simulation._run.solver
+    solver = simulation._motion.solver
     assert isinstance(solver, Solver)
     return solver
 
@@ -61,12 +61,12 @@ def problem_of(simulation: Simulation) -> Problem:
 
 def scratch_of(simulation: Simulation) -> Scratch:
     """The kernels' room for what is needed within a step."""
-    return simulation._run.scratch
+    return simulation._motion.scratch
 
 
 def drive(simulation: Simulation, start: float, end: float) -> PrescribedMotion:
     """What drives the simulation's body from a time to another, without hands and keys."""
-    return simulation._run._driver.drive(start, end, {})
+    return simulation._motion._driver.drive(start, end, {})
 
 
 def run_in_steps(solver: Solver, table: Rosenbrock, drive: PrescribedMotion, end: float, step: float) -> None:
@@ -77,30 +77,32 @@ def run_in_steps(solver: Solver, table: Rosenbrock, drive: PrescribedMotion, end
 
 def general(simulation: Simulation) -> Simulation:
     """The same simulation, made to take the path for any topology."""
-    run = simulation._run
-    run._whole = dataclasses.replace(run._whole, body=run._whole.body.replaced(chain=False, ring=False))
-    run.solver = run._new_solver()
+    motion = simulation._motion
+    motion._whole = dataclasses.replace(
+        motion._whole, body=motion._whole.body.replaced(chain=False, ring=False)
+    )
+    motion.solver = motion._new_solver()
     return simulation
 
 
 def by_numpy(simulation: Simulation) -> Simulation:
     """The same simulation, made to move by NumPy and to go on doing so."""
-    run = simulation._run
-    run.solver = PlainSolver(run.scene, run.system, run.state)
+    motion = simulation._motion
+    motion.solver = PlainSolver(motion.scene, motion.system, motion.state)
     simulation.take_compiled = lambda: False  # type: ignore[method-assign]
     return simulation
 
 
 def with_law(simulation: Simulation, code: int) -> Simulation:
     """The same simulation, whose joints have another law: one of that code, which need not exist."""
-    solver = simulation._run.solver
+    solver = simulation._motion.solver
     solver.system = dataclasses.replace(solver.system, body=solver.system.body.replaced(law=code))
     return simulation
 
 
 def begin_anew(simulation: Simulation) -> None:
     """Let the method begin anew with the next step."""
-    simulation._run.begin_anew()
+    simulation._motion.begin_anew()
 
 
 def put(simulation: Simulation, positions: Points, velocities: Points | None = None) -> None:
@@ -109,12 +111,12 @@ def put(simulation: Simulation, positions: Points, velocities: Points | None = N
     state.x[index], state.y[index] = positions.T
     if velocities is not None:
         state.vx[index], state.vy[index] = velocities.T
-    simulation._run.begin_anew()
+    simulation._motion.begin_anew()
 
 
 def spring_forces(simulation: Simulation) -> Points:
     """(n, 2) what all springs and joints do to each mass at the present state, without air and gravity."""
-    scratch = simulation._run.scratch
+    scratch = simulation._motion.scratch
     state = simulation._state
     scratch.fx[:], scratch.fy[:] = 0.0, 0.0
     add_spring_forces(simulation._system.body, state, scratch, state.q, state.v)

@@ -127,7 +127,7 @@ def test_the_energy_balance_begins_anew() -> None:
 
 def test_the_balance_bears_a_method_that_is_still_being_compiled(monkeypatch: pytest.MonkeyPatch) -> None:
     ready = [True]
-    for module in ("run", "simulation"):
+    for module in ("motion", "simulation"):
         monkeypatch.setattr(f"sim.motion.{module}.is_ready", lambda names: ready[0])
     simulation = Simulation(sim.load_scene("tutorial-3.3"), wait=False)
     assert simulation.track_energy(True)

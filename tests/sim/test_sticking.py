@@ -229,7 +229,7 @@ def test_no_step_writes_to_the_tables_of_the_body(
     method: Method, plain: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if plain:
-        monkeypatch.setattr("sim.motion.run.is_ready", lambda names: False)
+        monkeypatch.setattr("sim.motion.motion.is_ready", lambda names: False)
     simulation = Simulation(by(on_slope("cloth", 6), method, dt=5e-4), wait=not plain)
     body = system_of(simulation).body
     before = {name: array.copy() for name, array in constants(body)}
@@ -270,12 +270,12 @@ def test_an_estimate_of_the_stable_step_is_about_the_state_in_which_it_began() -
 @pytest.mark.parametrize("plain", [False, True])
 def test_a_step_that_is_refused_leaves_no_trace(plain: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     if plain:
-        monkeypatch.setattr("sim.motion.run.is_ready", lambda names: False)
+        monkeypatch.setattr("sim.motion.motion.is_ready", lambda names: False)
     simulation = Simulation(block(0.7, "symplectic_euler"), wait=not plain)
     simulation.advance(0.1)
     assert simulation.plain == plain
     before = simulation.capture().grips
-    monkeypatch.setattr("sim.motion.run.RUNAWAY_SPEED", 0.0)
+    monkeypatch.setattr("sim.motion.motion.RUNAWAY_SPEED", 0.0)
     begin_anew(simulation)
     simulation.step()
     assert simulation.divergence is not None
@@ -304,7 +304,7 @@ def test_the_kernels_do_what_the_physics_in_numpy_says(method: Method) -> None:
 
 
 def test_numpy_moves_what_sticks_as_the_kernels_do(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sim.motion.run.is_ready", lambda names: False)
+    monkeypatch.setattr("sim.motion.motion.is_ready", lambda names: False)
     scene = by(on_slope("girder", 3), "symplectic_euler", dt=2e-4)
     plain = Simulation(scene, wait=False)
     plain.step(50)

@@ -248,7 +248,7 @@ def test_scenes_pay_only_for_what_surrounds_and_touches_and_breaks_their_bodies(
 def test_numpy_moves_bodies_until_kernels_are_there(
     kind: str, seconds: float, near: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("sim.motion.run.is_ready", lambda names: False)
+    monkeypatch.setattr("sim.motion.motion.is_ready", lambda names: False)
     plain = Simulation(around(kind, 3), wait=False)
     plain.advance(seconds)
     assert plain.plain

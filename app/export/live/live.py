@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 import sim
+from sim.motion.motion import presses_of
 from sim.motion.quantities import ENERGY_UNIT, unit_in
-from sim.motion.run import presses_of
 from sim.scene.types import shown_name
 
 from ...bundle import bundle, compact_style

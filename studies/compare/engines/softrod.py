@@ -53,7 +53,7 @@ class SoftrodRun(Runner):
         self._steps, self.frames = steps, frames
         self._adaptive = METHODS[integrator.method].adaptive
         self._simulation = sim.Simulation(msgspec.structs.replace(scene, integrator=integrator))
-        solver = self._simulation._run.solver
+        solver = self._simulation._motion.solver
         if METHODS[integrator.method].implicit and isinstance(solver, Solver):
             _ = solver.matrix  # its pattern is found once
         self._simulation.step(1, MAX_ATTEMPTS // 1000)  # loads machine code

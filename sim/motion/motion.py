@@ -76,7 +76,7 @@ _HALTS = 16
 """Parts of a time step in which a body whose masses are all held moves, if an energy balance is kept."""
 
 
-class Run:
+class Motion:
     """A body on its way: its tables and state, who holds its masses, what moves it, and the clock.
 
     It moves by whole time steps, which it counts.
