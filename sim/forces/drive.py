@@ -101,7 +101,7 @@ def hand_speed(lead, since):
 
 @kernel(forceinline=True)
 def drive_to(body, state, drive, t, q, v):
-    """Set the held masses in q and v to their state at time t, and rest lengths and angles likewise."""
+    """Set the held masses in q and v, and rest lengths and angles, to their state at time t."""
     lead_to(drive, t, q, v)
     apply_controls_at(body, state, drive, t)
 

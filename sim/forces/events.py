@@ -143,7 +143,7 @@ def slip_fraction(h, spring, mobility, start, end, unseen):
 def slid(stiffness, start, end):
     """How far a tangential spring is beyond its limit at both ends of a step, px, and the rates of that.
 
-    Arguments as of `slip_fraction`.
+    Arguments: see `slip_fraction`.
     """
     (stretch0, along0, most0, grows0), (stretch1, along1, most1, grows1) = start, end
     side, soft = math.copysign(1.0, stretch1), 1.0 / stiffness

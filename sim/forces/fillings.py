@@ -27,7 +27,7 @@ from ..scene.types import Scene
 from .term import Places, Term, Vectors
 
 SMALL = 8
-"""Largest number of masses of a loop of which an implicit step has a block for each pair of its masses."""
+"""Largest number of masses of a loop whose matrix in an implicit step has a block for each pair of them."""
 
 SMALLEST = 0.01
 """Area of a gas, as a fraction of its own area, below which its pressure grows linearly."""
@@ -204,7 +204,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
 
     By the mass b after it, dA/dx = (b.y - a.y, a.x - b.x) / 2 has the derivative ((0, 1), (-1, 0)) / 2, and
     by the one before it minus that. This is indefinite. The other part, that of `write_area_product`, couples
-    all masses of a loop; it is added here for small loops, of which the pattern has all blocks.
+    all masses of a loop; it is added here for small loops, whose pattern has all blocks.
     """
     fillings, blocks, target = body.environment.fillings, matrix.blocks, 0
     for k in range(fillings.rows.shape[0]):

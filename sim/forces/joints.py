@@ -51,8 +51,8 @@ LAWS = {
 def terms(law, deflection):
     """f, F and f' at a deflection (radians): torque, energy and stiffness for K |A||B| = 1.
 
-    The tutorial's law has the energy of the conservative one, of which it is not the gradient. NaN for an
-    unknown law.
+    The energy of the tutorial's law is that of the conservative one, though its torque is not the gradient
+    of that. NaN for an unknown law.
     """
     if law == ANGLE:
         return deflection, 0.5 * deflection * deflection, 1.0
@@ -127,7 +127,7 @@ def bend(law, spring_a, spring_b, cos, sin, size, rest, soft):
 
 @kernel(forceinline=True, fastmath=FAST)
 def rub(spring_a, spring_b, damping, soft):
-    """Likewise those of a joint's damping, whose torque is C |A||B| times the rate of the angle.
+    """The forces by a joint's damping, whose torque is C |A||B| times the rate of the angle.
 
     Args:
         spring_a, spring_b: the vector of a spring, px, 1 / its length, and the rate of the vector, px/s.
@@ -227,8 +227,8 @@ def joint_blocks(
         aa = -n_a (dG/dA)ᵀ - G dn_a/dA, ab = -n_a (dG/dB)ᵀ,
         ba = n_b (dG/dA)ᵀ, bb = n_b (dG/dB)ᵀ + G dn_b/dB.
 
-    So it is for the tutorial's torque and for the damping C |A||B| V', of which the part by rates, times g,
-    is added. The conservative law has the second derivatives of -U = K A . R(-r) B - K |A||B| instead.
+    This holds for the tutorial's torque and for the damping C |A||B| V', whose derivative by rates is added
+    times g. The conservative law has the second derivatives of -U = K A . R(-r) B - K |A||B| instead.
 
     Args:
         law: as in `Body.law`.
@@ -404,7 +404,7 @@ def add_joint_damping(body, state, q, v, z, factor, out):
 
 # ------------------------------------------------------------------------- in NumPy
 def sine_law(s: Vectors) -> tuple[Floats, Floats]:
-    """The torque |A||B| sin(V - r), and the energy |A||B| (1 - cos(V - r)) of which it is the gradient."""
+    """The torque |A||B| sin(V - r), and its energy |A||B| (1 - cos(V - r))."""
     return s.imag, abs(s) - s.real
 
 

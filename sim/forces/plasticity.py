@@ -300,7 +300,7 @@ def _spring_way(body, state, q, v, s):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _joint_way(body, state, q, v, j):
-    """Likewise for a joint, radians."""
+    """How far a joint is beyond its limit, radians, the rate of that, and its sign."""
     off, limit, kept, _ = _joint_trial_state(body, state, q, j)
     side = math.copysign(1.0, off)
     turned, longer = _opening(body, q, v, j)

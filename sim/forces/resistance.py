@@ -9,9 +9,9 @@ In a viscous medium, p is half of the spring's length, s is the drag across, l t
 resistive force theory (Gray & Hancock, "The propulsion of sea-urchin spermatozoa", 1955), which is linear in
 the velocity, as the drag of slow flow is. Wind moves the medium. On the ground, seen from above, p is the
 weight that rests on the end, s and l are the coefficients of friction sideways and forwards or backwards, and
-w = sqrt(|u|² + slip²): dry friction, as of a snake (Hu et al., "The mechanics of slithering locomotion",
-2009), which has the size of friction however slow the sliding is, but for a slip. All springs of a mass bear
-an equal share of its weight.
+w = sqrt(|u|² + slip²): dry friction like that of a snake (Hu et al., "The mechanics of slithering
+locomotion", 2009), which has the size of friction however slow the sliding is, but for a slip. All springs of
+a mass bear an equal share of its weight.
 
 The derivative by the spring's vector L follows from dt = (dL - t (t . dL)) / |L| and dn = (-dt.y, dt.x);
 those by the components of u along t and n are called `Slopes`.

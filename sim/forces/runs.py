@@ -224,7 +224,7 @@ def _sum_at_ends(links, sign, rows_b, rows_a, of_b, of_a, out):
     Args:
         links: the pairs.
         sign: 1 or -1.
-        rows_b, rows_a: rows of what runs exert; x and y, as of the others.
+        rows_b, rows_a: rows of what runs exert, x and y.
         of_b, of_a: what each of the other pairs does.
         out: of each end.
     """

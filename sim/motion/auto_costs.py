@@ -72,7 +72,7 @@ def costs_of_steps(body: Body, matrix: Matrix, low: bool) -> Floats:
 
     Args:
         body, matrix: the tables.
-        low: as of `tolerance_factors`.
+        low: see `tolerance_factors`.
     """
     n = body.masses
     force = 3.3 * n

@@ -2,10 +2,10 @@
 
 Scenes of one shape are moved side by side, in a fiftieth of the time that a `Simulation` of each takes: they
 are one body whose parts nothing connects, with the same mass of all scenes in slots that follow each other,
-so that all springs and joints are in runs, however a scene connects them. They are those of which `is_laned`
-holds: an explicit method with a fixed step; springs, still air and gravity, and nothing else that acts on
-masses; nothing that yields or breaks; no held mass that moves by itself. Any other scene has a `Simulation`
-of its own. So has one that leaves the bounds of good states, so that it ends where a `Simulation` does.
+so that all springs and joints are in runs, however a scene connects them. Such scenes have an explicit method
+with a fixed step; springs, still air and gravity, and nothing else that acts on masses; nothing that yields
+or breaks; no held mass that moves by itself. Any other scene has a `Simulation` of its own. So has one that
+leaves the bounds of good states, so that it ends where a `Simulation` does.
 """
 
 from __future__ import annotations
@@ -281,8 +281,8 @@ def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int
 def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[System, State]:
     """The tables of one body that consists of all scenes, and its state at the start.
 
-    Mass m of scene i is mass `width` m + i of the body, and springs and joints are numbered likewise. Lanes
-    that are left over are copies of the last scene.
+    Mass m of scene i is mass `width` m + i of the body; springs and joints are numbered in the same way.
+    Lanes that are left over are copies of the last scene.
     """
     n, count = shape.masses, len(scenes)
     springs, joints = (_parts(scenes, attrgetter(f)) for f in ("linear_springs", "angular_springs"))

@@ -138,7 +138,7 @@ class PlainSolver:
     def _drive_to(
         self, drive: PrescribedMotion, t: float, x: Vectors, v: Vectors, round_at: float | None = None
     ) -> None:
-        """Set the held masses in x and v to their state at time t, and rest lengths and angles likewise.
+        """Set the held masses in x and v, and rest lengths and angles, to their state at time t.
 
         Those on circles are set to where they are at `round_at`, if given.
         """

@@ -68,12 +68,12 @@ class Kind:
     """Something that can be measured of every part of a kind.
 
     Attributes:
-        of: the kind of part: "joint", "spring" or "mass"; or "energy" and "stability", of which there is one.
+        of: the kind of part: "joint", "spring" or "mass"; or "energy" and "stability", which a body has once.
         what: the rest of the name.
         unit: with "{unit}" for the scene's unit of length; empty for a pure number.
         summary: what it is, in a few words.
-        values: it, for an array of indices of parts (of the scene), (k,) each; of which there is one, the
-            indices have no meaning.
+        values: it, for an array of indices of parts (of the scene), (k,) each; for energy and stability,
+            the indices have no meaning.
         vertical: whether it is a y coordinate, or the y component of a vector.
         unwrapped: whether it is an angle that goes on beyond half a turn while it is followed.
     """

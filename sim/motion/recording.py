@@ -110,7 +110,7 @@ def table_text(
     Args:
         quantities: what the columns are, beside the time.
         rows: of time and values; a NaN leaves its place empty.
-        decimal_comma: as of `Recording.to_csv`.
+        decimal_comma: see `Recording.to_csv`.
     """
     units = ((q.name, q.unit.translate(_ASCII)) for q in quantities)
     head = ["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)]

@@ -317,7 +317,7 @@ class Simulation:
         """Go on by n time steps, and return how many were done.
 
         They are fewer when the body runs away, see `divergence`, and where `attempts` do not suffice: a
-        method that chooses its own steps may try that many, of which one of a dear method counts as several
+        method that chooses its own steps may try that many, where a step of a dear method counts as several
         under `auto`, see `work`. Then `time` has come as far as they led, and what is led goes on in the next
         call.
         """

@@ -19,7 +19,7 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
   its steps can be trusted is a question of nonlinearity, of how far springs turn in a step.
 - The stable spring is symplectic Euler with the tables that `clamp_stiffness` makes for the step, and has the
   limit of symplectic Euler for that body. The springs' contributions to dt² K and to dt C are then at most M,
-  and likewise the joints', as long as springs that share a joint keep the proportions of their rest lengths.
+  and so are the joints', as long as springs that share a joint keep the proportions of their rest lengths.
   So hardly any body has a limit.
 
 What is left out: the change of K and C in the course of a step, and whatever a step does that is not small.
@@ -238,7 +238,7 @@ class StabilityMeter:
         known = 0
         # Noise, for the motion found before may be that of another body than the one that is stiffest now.
         start = self._start / max(float(np.sqrt((np.abs(self._start) ** 2).sum())), 1e-300)
-        # A complex motion spans two dimensions, from both of which the space grows.
+        # A complex motion spans two dimensions, and the space grows from both.
         parts = [start.real, start.imag] if np.iscomplexobj(start) else [start]
         coming = deque(((part + _NOISE * self._noise) * (root > 0.0)).ravel() for part in parts)
         while coming and known < size:
@@ -272,7 +272,7 @@ class StabilityMeter:
         return self._difference(lambda step: physics.forces(x + step, v), w)
 
     def _by_velocities(self, physics: Physics | Reference, w: Floats) -> Floats:
-        """C w, likewise."""
+        """C w, as a difference quotient of forces."""
         body, environment = self.system.body, self.system.body.environment
         if not (body.damped or body.joint_damped or environment.air.friction or environment.present):
             return np.zeros_like(w)

@@ -126,7 +126,7 @@ def _stretches_in_batch(count, x, y, mass, ends_a, ends_b, kept, there, stretch)
 def _forces_in_batch(
     count, law, lost, tangential, w, x, y, vx, vy, mass, ends_a, ends_b, stretch, fx, fy, gx, gy, ts
 ):
-    """F, G and t of each pair of a batch, of which the number is a multiple of eight."""
+    """F, G and t of each pair of a batch; the number of pairs is a multiple of eight."""
     eight_at_a_time()
     distance, stiffness, friction, slip_speed, h = law
     for k in range(whole_eights(count)):

@@ -149,7 +149,7 @@ def slip_fraction_on_springs(body, state, q, v, to_q, to_v, h, unseen):
 def stick_to_springs(body, state, scratch, q0, v0, q, v, h):
     """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`.
 
-    Arguments as of `sticking.update_friction_history`.
+    Arguments: see `friction_history.update_friction_history`.
     """
     contact, slots, count = body.environment.contact, q.size // 2, 0
     masses, stretches = scratch.next_mass, scratch.next_stretch
@@ -302,7 +302,7 @@ def _pair_jvp(contact, pair, change, g, definite):
 def _pair_damping_jvp(contact, pair, change):
     """How F and G change when the velocities of a pair change, to first order, kg px/s².
 
-    `change`: as of `_pair_jvp`, for velocities, px/s. The terms are those there with g.
+    `change`: that of `_pair_jvp` for velocities, px/s. The terms are those there with g.
     """
     dx, dy, fx, fy = change
     nx, ny, lx, ly = pair.nx, pair.ny, pair.lx, pair.ly

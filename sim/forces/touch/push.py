@@ -15,10 +15,10 @@ Tsuji, Tanaka & Ishida, "Lagrangian numerical simulation of plug flow of cohesio
 horizontal pipe" (1992), whose damping grows with sqrt(k w) d^(1/2), too, but without bounds.
 
 Friction that holds is that of a tangential spring (Cundall & Strack, "A discrete numerical model for granular
-assemblies", 1979): where its stiffness K is not zero, the friction is K z + G u, of which neither K z nor the
-sum is ever more than mu N. The stretch z, px, is the way along the surface since both touched, less what
+assemblies", 1979): where its stiffness K is not zero, the friction is K z + G u, where both K z and the sum
+are limited to mu N. The stretch z, px, is the way along the surface since both touched, less what
 exceeded mu N / K at the end of any step: an elastic part and a slider in a row, with the slider's return
-mapping after the step, as of what yields (`limits`). So nothing creeps that mu N is enough to hold. The
+mapping after the step, as in `plasticity`. So nothing creeps that mu N is enough to hold. The
 spring has the energy K z² / 2, and what the slider and the dashpot take is dissipated. The dashpot
 G = sqrt(K / w) has the damping ratio 1/2.
 
@@ -108,7 +108,7 @@ def softened(tangential, h, mobility_along):
 
 @kernel(forceinline=True, fastmath=FUSED)
 def _friction_force(most, slip_speed, tangential, along, stretch):
-    """Friction, of which `most` is the largest."""
+    """Friction, limited to `most`."""
     stiffness, damping = tangential
     if stiffness == 0.0:
         return most * tanh(along / slip_speed)

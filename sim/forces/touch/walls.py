@@ -225,7 +225,7 @@ def slip_fraction_on_walls(body, state, q, v, to_q, to_v, h, unseen):
 def stick_to_walls(body, state, q0, v0, q, v, h):
     """Note the stretch of each tangential spring at the end of a step, and let sliders slide: see `push`.
 
-    Arguments as of `sticking.update_friction_history`.
+    Arguments: see `friction_history.update_friction_history`.
     """
     rows, slots = body.environment.walls.rows, q.size // 2
     for k in range(rows.shape[0]):
