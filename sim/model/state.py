@@ -209,33 +209,38 @@ def carried_by(state: State, system: System) -> Carried:
 def fill_in(
     state: State,
     system: System,
+    scene: Scene,
     carried: Carried,
+    slots: slice | Indices,
     controls: tuple[float, float],
     time: float,
-    slots: slice | Indices,
-) -> System:
-    """Set all of a state but what depends on who holds a mass, for which see `put_masses`.
+    grabbed: Collection[int],
+) -> tuple[System, bool]:
+    """Set all of a state.
 
     Args:
         state: of the tables.
         system: the tables, with what has broken.
+        scene: the scene.
         carried: the motion.
+        slots: of the masses in its rows.
         controls: rest length scale, and degrees added to all rest angles.
         time: s.
-        slots: of the masses in the rows of `carried`.
+        grabbed: see `put_masses`.
 
     Returns:
-        The tables without what has broken.
+        The tables without what has broken, and whether all masses are held.
     """
     put_rows(state, carried.rows, slots)
-    if system.body.limits.present:
-        put_damage(state, system, carried.damage)
-    put_grips(state, system, carried.grips)
+    all_held = put_masses(state, system, scene, grabbed)
     state.controls[:] = controls
     state.clock[0] = time
-    system = whole_without_broken(system, state)
+    if system.body.limits.present:
+        put_damage(state, system, carried.damage)
+        system = whole_without_broken(system, state)
     update_rest_state(system.body, state)
-    return system
+    put_grips(state, system, carried.grips)
+    return system, all_held
 
 
 def put_rows(state: State, rows: Floats, slots: slice | Indices) -> None:

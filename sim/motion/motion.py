@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from ..compiling.compiler import FOR_DAMAGE, is_ready, needed_by
-from ..engine.tables import SCALE_MAX, SCALE_MIN, PrescribedMotion
+from ..engine.tables import SCALE_MAX, SCALE_MIN, Indices, PrescribedMotion
 from ..model.stable_spring import clamp_stiffness
 from ..model.state import Carried, carried_by, fill_in, new_scratch, new_state, put_masses
 from ..model.system import System, build_system
@@ -83,8 +83,10 @@ class Motion:
 
     Args:
         scene: a valid scene; it stays the same.
-        damaged: as in `build_system`.
         wait: whether it may wait until kernels are compiled; otherwise NumPy moves the body until then.
+        carried: the motion to go on from; None for the scene's start.
+        time, steps, controls: see `begin`.
+        hands: of another motion of the same masses, whose hold is taken over.
 
     Attributes:
         state: positions, velocities and parameters that change; `begin` says from what they follow.
@@ -94,29 +96,36 @@ class Motion:
         steps: time steps done since the scene's start.
     """
 
-    def __init__(self, scene: Scene, damaged: bool, wait: bool) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        wait: bool,
+        carried: Carried | None = None,
+        time: float = 0.0,
+        steps: int = 0,
+        controls: tuple[float, float] | None = None,
+        hands: Hands | None = None,
+    ) -> None:
         self.scene, self._wait = scene, wait
-        system = build_system(scene, damaged)
+        system = build_system(scene, carried is not None and carried.damage is not None)
         if scene.integrator.method == "stable_spring":
             body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
             system = replace(system, body=body)
-        self._dt, self._adaptive = scene.integrator.dt, METHODS[scene.integrator.method].adaptive
         self._whole = system  # with what has broken
         self.state, self.scratch = new_state(system), new_scratch(system)
+        self._dt, self._adaptive = scene.integrator.dt, METHODS[scene.integrator.method].adaptive
+        self.solver = self._new_solver()
         self.hands = Hands(system, self.state, self._adaptive)
         self._driver = Driver(scene, system, self.state)
-        self.solver = self._new_solver()
-        self._all_held = False
-        self._led: Targets = {}
         # The drive of the last call, unless it had targets or hands, and the keys in it.
         self._kept: PrescribedMotion | None = None
         self._presses = NO_PRESSES
-        # The solver and that drive, where nothing but the body changed in the last call.
-        self._steady: tuple[Solver, PrescribedMotion] | None = None
-        self.steps = 0
-        # Time, s, and steps at which the method began anew, or is to with the next step.
-        self._origin = 0.0, 0
-        self._begins = True
+        if hands is not None:
+            self.hands.take_over(hands)
+        if carried is None:
+            self.go_to_start()
+        else:
+            self.begin(carried, time, steps, controls)
 
     def _new_solver(self) -> Solver | PlainSolver:
         if self._wait or is_ready(self._needed):
@@ -159,7 +168,7 @@ class Motion:
         time: float,
         steps: int,
         controls: tuple[float, float] | None = None,
-        slots: slice | None = None,
+        slots: slice | Indices | None = None,
     ) -> None:
         """Begin from a motion at a time.
 
@@ -172,11 +181,17 @@ class Motion:
         """
         state, whole = self.state, self._whole
         controls = controls or (self.scene.rest_length_scale, 0.0)
-        system = fill_in(state, whole, carried, controls, time, whole.mass_index if slots is None else slots)
+        slots = whole.mass_index if slots is None else slots
+        grabbed = self.hands.grabbed
+        system, held = fill_in(state, whole, self.scene, carried, slots, controls, time, grabbed)
+        self._all_held = held
         if whole.body.limits.present:
             self.solver.system = system
-        self._origin, self.steps, self._begins, self._led = (time, steps), steps, True, {}
-        self.hold()
+        # Time, s, and steps at which the method began anew, or is to with the next step.
+        self._origin, self.steps, self._begins = (time, steps), steps, True
+        self._led: Targets = {}
+        # The solver and the drive, where nothing but the body changed in the last call.
+        self._steady: tuple[Solver, PrescribedMotion] | None = None
 
     def carried(self) -> Carried:
         """The present motion, to go on from it."""

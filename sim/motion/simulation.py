@@ -63,10 +63,8 @@ class Simulation:
             key: value for key, value in (("dt", dt), ("method", integrator)) if value is not None
         }
         self._keys: frozenset[str] = frozenset()
-        self.divergence: Divergence | None = None
         scene = self._with_overrides(scene)
-        self._install(scene)
-        self.reset()
+        self._install(Motion(scene, wait))
 
     # --------------------------------------------------------------------- reading
     @property
@@ -412,14 +410,19 @@ class Simulation:
         `advance` keeps.
         """
         kept = self._tracker is not None
-        if moment.scene is not self._scene or self._lacks_room_for(moment.damage):
-            self._install(moment.scene, moment.damage)
-        self._time_remainder = 0.0
-        self._hands.clear()
+        carried, time, steps = (
+            Carried(moment.rows, moment.damage, moment.grips),
+            moment.time,
+            moment.step_count,
+        )
         controls = moment.rest_length_scale, moment.rest_angle_shift
-        carried = Carried(moment.rows, moment.damage, moment.grips)
-        self._motion.begin(carried, moment.time, moment.step_count, controls)
-        self._begun()
+        if moment.scene is not self._scene or self._lacks_room_for(carried):
+            self._install(Motion(moment.scene, self._wait, carried, time, steps, controls))
+        else:
+            self._hands.clear()
+            self._motion.begin(carried, time, steps, controls)
+            self._begun()
+        self._time_remainder = 0.0
         if kept:
             self.track_energy(True)
 
@@ -431,8 +434,8 @@ class Simulation:
             shift: (4, n) px and px/s by which x, y, vx and vy of the free masses are to differ; None for 0.
         """
         carried = other._motion.carried()
-        if self._lacks_room_for(carried.damage):
-            self._install(self._scene, carried.damage)
+        if self._lacks_room_for(carried):
+            self._install(Motion(self._scene, self._wait, carried))
         self._time_remainder = other._time_remainder
         self._hands.take_over(other._hands)
         self._keys = other._keys
@@ -452,34 +455,31 @@ class Simulation:
         """
         scene = self._with_overrides(scene)
         if not same_topology(self._scene, scene):
-            self._install(scene)
-            self.reset()
+            self._install(Motion(scene, self._wait))
             return
         time, steps, carried = self.time, self.step_count, self._motion.carried()
         if carried.grips is not None and not same_walls(self._scene, scene):
             carried = carried._replace(grips=msgspec.structs.replace(carried.grips, walls=()))
-        hands, tracker = self._hands, self._tracker
+        remainder, tracker = self._time_remainder, self._tracker
         if tracker is not None:
             tracker.close()
-        self._install(scene, carried.damage)
-        self._hands.take_over(hands)
-        self._motion.begin(carried, time, steps)
-        self._begun()
+        self._install(Motion(scene, self._wait, carried, time, steps, hands=self._hands))
+        self._time_remainder = remainder
         # Where the kernels of the new method are still being compiled, there is no balance for now.
         if tracker is not None and self.track_energy(True) and self._tracker is not None:
             self._tracker.take_over(tracker)
 
     # --------------------------------------------------------------------- inside
-    def _install(self, scene: Scene, damage: Damage | None = None) -> None:
-        """Make room for a valid scene and a damage; the state is still to be filled in."""
-        self._scene = scene
-        self._motion = Motion(scene, damage is not None, self._wait)
-        self._state = self._motion.state
+    def _install(self, motion: Motion) -> None:
+        """Go on with another motion, maybe of another scene."""
+        self._motion, self._scene, self._state = motion, motion.scene, motion.state
+        self._time_remainder = 0.0
         self._joint_ends: tuple[Indices, Indices] | None = None  # once angles have been asked for
         self._meter: StabilityMeter | None = None
         self._tracker: EnergyTracker | None = None
         self._load_calculator: LoadCalculator | None = None
         self._damage: Damage | None = None  # as `damage` found it last
+        self._begun()
 
     @property
     def _system(self) -> System:
@@ -490,9 +490,9 @@ class Simulation:
     def _hands(self) -> Hands:
         return self._motion.hands
 
-    def _lacks_room_for(self, damage: Damage | None) -> bool:
-        """Whether the tables are those of a body that can have no damage."""
-        return damage is not None and not self._system.body.limits.present
+    def _lacks_room_for(self, carried: Carried) -> bool:
+        """Whether a motion has damage, and the tables are those of a body that can have none."""
+        return carried.damage is not None and not self._system.body.limits.present
 
     @contextmanager
     def _by_hand(self) -> Iterator[None]:
@@ -514,7 +514,7 @@ class Simulation:
 
     def _begun(self) -> None:
         """Forget what belonged to the motion before."""
-        self.divergence = None
+        self.divergence: Divergence | None = None
         # The scene as keys have made it, and the scale and the shift for which it was made.
         self._scene_with_controls = (self._scene.rest_length_scale, 0.0), self._scene
         if self._tracker is not None:

@@ -134,7 +134,6 @@ def _problems(scene: Scene) -> Iterator[str]:
     yield from _linear_problems(scene, n)
     yield from _angular_problems(scene, springs)
     yield from _limit_problems(scene)
-    yield from _filling_problems(scene, n)
     for w, wall in enumerate(scene.walls):
         if not any(wall.normal):
             yield f"walls[{w}].normal: a normal of (0, 0) points nowhere"
@@ -143,6 +142,7 @@ def _problems(scene: Scene) -> Iterator[str]:
     if not (xmax - xmin > 1e-3 and ymax - ymin > 1e-3):
         yield "view.frame: it must run from (x min, y min) to a larger (x max, y max)"
     yield from _pose_problems(scene, scene.pose)
+    yield from _filling_problems(scene, n)
 
 
 def _lesson_problems(scene: Scene) -> Iterator[str]:
