@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import Annotated, Literal
 
 import msgspec
@@ -178,3 +180,11 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
     restitution: Restitution = "viscous"
     tangential_stiffness: Annotated[float, bounded(0.0, 1e12, "kg/s²", "Tangential stiffness")] = 0.0
+
+
+def loop_area(points: Sequence[Vector]) -> float:
+    """Area inside a closed loop of points, px²."""
+    # About one of them, so that it is exact far from the origin, too.
+    x, y = points[0]
+    at = [(p[0] - x, p[1] - y) for p in points]
+    return abs(math.fsum(p[0] * q[1] - p[1] * q[0] for p, q in zip(at, at[1:] + at[:1], strict=True))) / 2.0

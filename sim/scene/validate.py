@@ -17,9 +17,10 @@ import msgspec
 from ..errors import SceneError
 from .lesson import StepRun, texts_of
 from .numbers import MAX_MASSES, MAX_SPRINGS, annotation_of, of_python
-from .recipes.assembly import TooLarge, loop_area
+from .recipes.assembly import TooLarge
 from .recipes.recipe import expand
 from .sentences import difference, sentence, unit_of
+from .surroundings import loop_area
 from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 
 SHORTEST = 1e-9

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
 from typing import Annotated, NamedTuple
 
 import msgspec
@@ -21,7 +20,7 @@ from ..numbers import (
     bounded,
 )
 from ..parts import Anchor, AngularSpring, Circle, LinearSpring, Mass
-from ..surroundings import Gas, Liquid
+from ..surroundings import Gas, Liquid, loop_area
 
 Size = Annotated[float, bounded(1e-3, 1e6, "px", "A length")]
 BulkModulus = Annotated[
@@ -190,14 +189,6 @@ class Assembly:
             tuple(self._anchors),
             tuple(self._fillings),
         )
-
-
-def loop_area(points: Sequence[Vector]) -> float:
-    """Area inside a closed loop of points, px²."""
-    # About one of them, so that it is exact far from the origin, too.
-    x, y = points[0]
-    at = [(p[0] - x, p[1] - y) for p in points]
-    return abs(math.fsum(p[0] * q[1] - p[1] * q[0] for p, q in zip(at, at[1:] + at[:1], strict=True))) / 2.0
 
 
 def wrapped(angle: float) -> float:
