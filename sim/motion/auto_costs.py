@@ -10,8 +10,7 @@ from ..solve.registry import MethodInfo
 from ..solve.steps.auto import MATRICES
 
 LOW_TOLERANCE = 3e-3
-"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha. Between 1e-3
-and 0.1 px, where it lies, the two cost about the same; `docs/solver.md` names it."""
+"""Tolerance, px, below which `auto` uses RODAS 5P instead of RODAS 4, and no generalized-alpha."""
 
 LONG = 200
 """Number of masses from which `auto` also tries generalized-alpha, which is good at long rods. By
@@ -53,7 +52,7 @@ _SURROUNDINGS, _LIMITS = 12.0, 35.0
 
 
 def tolerance_factors(scene: Scene, methods: list[MethodInfo], low: bool) -> Floats:
-    """Return (CHOICES,) the tolerance of each method as a fraction of the scene's, see `Problem.tolerance_factor`.
+    """Return (CHOICES,) each method's tolerance as a fraction of the scene's, see `Problem.tolerance_factor`.
 
     Args:
         scene: the scene.

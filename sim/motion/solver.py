@@ -400,7 +400,7 @@ class Solver:
             self._problem = None
 
     def fall_back(self, until: float, drive: PrescribedMotion) -> None:
-        """Take a fallback step; arguments as of `run`."""
+        """Take a fallback step; see `run` for the arguments."""
         body, alpha = self.system.body, self.integrator.alpha
         lengths = body.rest_length[: body.springs] * self.state.controls[CONTROL_SCALE]
         typical = max(float(np.median(lengths)) if body.springs else 1.0, 1e-3)
