@@ -61,7 +61,7 @@ class Layout(Generic[_Made]):
     Args:
         first: the table; all others have its numbers, and those of its arrays that are not in the block.
         arrays: what `aligned_arena` made, in which the arrays of the table are.
-        page_offset: as of `aligned_arena`.
+        page_offset: see `aligned_arena`.
     """
 
     def __init__(self, first: _Made, arrays: Sequence[Floats], page_offset: int) -> None:

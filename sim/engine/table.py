@@ -311,7 +311,7 @@ class Record(_Block):
 
     @property
     def floats(self) -> memoryview:
-        """All words of the record as floats, likewise."""
+        """All words of the record, as floats."""
         return self.__dict__["_floats"]
 
     def clear(self) -> None:

@@ -5,7 +5,7 @@ Every array is C-contiguous and holds float64 or int64, so that a kernel is comp
 The masses are at indices 1 to n, and the indices of an array are called slots. Slot 0 is padding, so that the
 chain's loops can look back without a test. The slots after n are padding up to a multiple of eight, so that
 vectorised loops have no scalar remainder, which for twelve masses would be most of the work. Springs are
-padded likewise. A padding mass never moves, and a padding spring exerts no force.
+padded in the same way. A padding mass never moves, and a padding spring exerts no force.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class Muscles(Table):
     spring: Indices  # (S,) each spring
     stretch: Rows  # (S, 4) a `Row` for each
     joint: Indices  # (J,) each joint
-    turn: Rows  # (J, 4) likewise
+    turn: Rows  # (J, 4) a `Row` for each
 
 
 class Body(Table):
@@ -81,7 +81,7 @@ class Body(Table):
     damped: bool  # any linear spring has damping
     joint_damped: bool  # any angular spring has damping
     chain: bool  # the springs run head to tail through all masses, in order
-    ring: bool  # likewise, and the last one leads back to the first mass
+    ring: bool  # the same, and the last one leads back to the first mass
     law: int  # see `forces.joints`
     softening: float  # px²; the length of a spring with vector L is sqrt(L² + softening)
     softenings: Floats  # (S padded + 1) px², for `forces.chain`; very large for padding
@@ -99,7 +99,7 @@ class Body(Table):
     held: Links  # these springs, between slots of masses
     free: Links  # the others
     bends: Links  # joints, between springs
-    environment: Environment  # what else acts on the masses; see there
+    environment: Environment  # what else acts on the masses
     limits: Limits  # what springs and joints bear
     muscles: Muscles  # what moves rest lengths and rest angles by itself
 
@@ -123,7 +123,7 @@ class State(Table):
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
     rest_tension: Floats  # (S padded + 1) stiffness * present rest length, kg px/s²
     torque_cos: Floats  # stiffness * cos(rest angle now), kg/s², of joint j at index j + 1; index 0 as above
-    torque_sin: Floats  # likewise with the sine
+    torque_sin: Floats  # the same with the sine
     torque_rest: Floats  # present rest angle, radians, of joint j at index j + 1
     # What acts on each mass besides the springs; all zero for a mass that is held.
     inverse_mass: Floats  # (slots,) 1/kg
@@ -247,7 +247,7 @@ class Matrix(Table):
     diagonal: Indices  # (n,) block on the diagonal of each row
     slot: Indices  # (n,) scratch: block of the current row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
-    joint_target: Indices  # (16 J,) blocks that a joint adds to, likewise for each pair of its springs
+    joint_target: Indices  # (16 J,) blocks that a joint adds to, the same for each pair of its springs
     # Of each loop in turn, blocks of the row of each of its masses: in a small loop with all masses of it, in
     # its order; in another one with the masses before and after.
     loop_target: Indices

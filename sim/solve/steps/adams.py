@@ -22,37 +22,48 @@ from .kinks import ago, any_turns, kinks_matter, turn_past, with_kinks, without_
 from .loop import advance
 
 _EQUAL_STEPS = 4.0
-"""Number of steps before the end of a call that are made equally long."""
+"""Number of steps before the end of a call that are made equally long. By experiment (20 bodies, `auto` and
+Adams): doubled or halved, 1 to 3 % in work."""
 
 _SPAN = 1e-3
 """After a failed step, a step may use the tolerance of this many seconds: a jump of the forces, which no
-short step makes smooth, causes its error once and not once per second."""
+short step makes smooth, causes its error once and not once per second. By experiment: doubled, one body in 20
+is off by 5 tolerances; halved, by 1.5."""
 
 _SHORT = 8.0
-"""That span as a multiple of the step, at most. With a larger one, velocity errors would be unbounded."""
+"""That span as a multiple of the step, at most, which bounds velocity errors. By experiment: doubled, errors
+of `auto` grow by 8 %; halved, one body in 20 is off by 6 tolerances."""
 
 _LONGER = 1.25
-"""Smallest growth of a step that is worth interpolating the past for."""
+"""Smallest growth of a step that is worth interpolating the past for. By experiment: 1.1 or 1.5, 1 % more
+work."""
 _MUCH_LONGER = 2.0
-"""Largest growth of a step."""
+"""Largest growth of a step. By experiment: 1.5 takes 1 to 3 % more work, 4 up to 3 % less with larger
+errors."""
 _FIRST_LONGER = 4.0
-"""Largest growth of a step while the degree is rising."""
+"""Largest growth of a step while the degree is rising. By experiment: 2 takes 7 % more work in `auto`, 8 as
+much."""
 
 _PATIENCE = 4
-"""Number of steps after a change of the step before it may grow again."""
+"""Number of steps after a change of the step before it may grow again. By experiment: doubled, 3 % more work;
+halved, errors grow by 30 %."""
 
 _LITTLE = 0.06
-"""Error, in tolerances, below which a step is too short."""
+"""Error, in tolerances, below which a step is too short. By experiment: doubled or halved, 2 % in work."""
 _MUCH = 0.6
-"""Error, in tolerances, above which a step is too long."""
+"""Error, in tolerances, above which the next step is computed, by a slow power; below, it would be left as
+it is anyway, since it changes by less than 5 %. Halved, nothing changes."""
 
 _MIN_DEGREE = 3
-"""Lowest degree that the choice of degrees leads to."""
+"""Lowest degree that the choice of degrees leads to. By experiment: 4 takes 9 % more work, 2 makes no
+difference in `auto`."""
 _WEIGHED = 16
-"""Number of steps after which the current degree is compared with its neighbours."""
+"""Number of steps after which the current degree is compared with its neighbours. By experiment: doubled or
+halved, 1 % in work."""
 
 _UNSTEADY = 0.61
-"""Step, as a fraction of `near_limit`, above which the degree is limited to `_STEADY`."""
+"""Step, as a fraction of `near_limit`, above which the degree is limited to `_STEADY`. By experiment:
+doubled or halved, 1 % in work; errors are those of `_STEADY`."""
 _STEADY = 6
 """Highest degree for such steps. With degree 7, undamped vibrations grow in steps of 0.25 to 0.47 of Verlet's
 limit, by at most 5e-4 per step, and error control then holds the steps in that range. With degree 6 they
@@ -61,7 +72,7 @@ decay in steps of 0.34 to 0.62 of the limit."""
 
 @kernel(fastmath=FAST)
 def run_adams(problem, drive, end, tolerance, attempts):
-    """Advance to `end` with error control; arguments as of `advance`."""
+    """Advance to `end` with error control; see `advance` for the arguments."""
     advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, _EQUAL_STEPS, True)
 
 

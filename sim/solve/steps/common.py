@@ -17,26 +17,30 @@ from ...forces.drive import drive_to, lead_of
 from .guard import STUCK
 
 SHORTEST_STEP = 1e-12
-"""Length of a step, s, below which it is not shortened further."""
+"""Length of a step, s, below which a method gives up as STUCK; some 1e4 times the rounding of a time of 1
+s."""
 
 WORTH_SHORTENING = 1e-9
-"""Length of a step, s, below which a bad state is blamed on the body and not on the step."""
+"""Length of a step, s, below which a bad state is blamed on the body and not on the step; it only has to lie
+between `SHORTEST_STEP` and useful steps."""
 
 SHORTEST_SPAN = 1e-7
-"""Any step may use at least the tolerance of this many seconds. Where a spring shrinks to a point and turns
-round very quickly, error per unit step would require impractically short steps."""
+"""Each step may use at least the tolerance of this many seconds. Where a spring shrinks to a point and turns
+round very quickly, an error per unit step would demand impractically short steps. It only has to be far below
+useful steps."""
 
 _SHORTEST_TURN = 1e-7
-"""Length of a step, s, below which springs may turn by any angle."""
+"""Length of a step, s, below which springs may turn by any angle. By experiment: doubled or halved,
+nothing."""
 
 SURE = 0.6
 """Movement of both ends of a spring together, as a fraction of its length, below which it cannot have turned
-by 60 degrees."""
+by 60 degrees: sin 60° = 0.87, less a margin. Double would be wrong; half only costs full checks."""
 BOTH_ENDS = 2.83
 """Largest movement of both ends together if no coordinate changes by more than 1: 2 sqrt(2), rounded up."""
 
 HOPELESS = 1e30
-"""Error estimate, in tolerances, that stands for infinities and NaN."""
+"""Error estimate, in tolerances, that replaces infinities and NaN; above any that a step can have."""
 
 
 @kernel(fastmath=FAST)
@@ -83,10 +87,10 @@ def _has_turned(x, y, to_x, to_y, softening):
 
 @kernel(forceinline=True, fastmath=FAST)
 def rotation_ok(body, state, q, to_q, step, moved, shortest):
-    """`all_rotations_ok`, but quicker where no mass has moved far.
+    """Like `all_rotations_ok`, but skip the check where no mass has moved far.
 
     Args:
-        body, state, q, to_q, step: as of `all_rotations_ok`.
+        body, state, q, to_q, step: see `all_rotations_ok`.
         moved: largest change of a coordinate in the step, px.
         shortest: length of the shortest spring at the start, px, or less.
     """
@@ -95,7 +99,7 @@ def rotation_ok(body, state, q, to_q, step, moved, shortest):
 
 @kernel(forceinline=True, fastmath=FAST)
 def shortest_of(body, scratch):
-    """The length of the shortest spring, px, at the positions of the last evaluation of forces."""
+    """Return the length of the shortest spring, px, at the positions of the last evaluation of forces."""
     eight_at_a_time()
     if is_chain_like(body):
         return 1.0 / max(scratch.inverse[0], 1e-300)
@@ -107,10 +111,10 @@ def shortest_of(body, scratch):
 
 @kernel(forceinline=True, fastmath=FAST)
 def fitting_step(t, end, h, equal_steps):
-    """The step to try, s: at most h, not beyond the end, and without leaving a tiny rest.
+    """Return the step to try, s: at most h, not beyond the end, and without leaving a tiny remainder.
 
-    So many steps before the end are made equally long: where steps change, what a method keeps from the last
-    ones is worth less.
+    The last `equal_steps` steps before the end are made equally long: a change of the step makes the history
+    of a multistep method less useful.
     """
     rest = end - t
     if rest >= (equal_steps + 1e-6) * h:
@@ -120,7 +124,7 @@ def fitting_step(t, end, h, equal_steps):
 
 @kernel(forceinline=True)
 def fixed_steps(problem, t):
-    """The number of whole steps of a fixed length from where the run began to time t."""
+    """Return the number of whole steps of fixed length from the start of the run to time t."""
     passed = t - problem.integrator.run.origin
     # Times are rounded, the more the later it is.
     return int((passed + 4e-16 * abs(t)) / problem.fixed + 1e-6)
@@ -128,13 +132,13 @@ def fixed_steps(problem, t):
 
 @kernel(forceinline=True)
 def fixed_time(problem, number):
-    """The time of a step of a fixed length, s; the same bits however the run is cut into calls."""
+    """Return the time of a fixed step, s; the same bits however the run is divided into calls."""
     return problem.integrator.run.origin + number * problem.fixed
 
 
 @kernel(fastmath=FAST)
 def first_step(integrator, drive, tolerance):
-    """A first step, s: the time in which the accelerations move a mass by about the tolerance."""
+    """Return a first step, s: the time in which the accelerations move a mass by about the tolerance."""
     h = math.sqrt(tolerance / max(max_abs(integrator.a), 1e-9))
     for i in range(drive.mass.size):
         lead = lead_of(drive, i)
@@ -145,10 +149,10 @@ def first_step(integrator, drive, tolerance):
 
 @kernel(forceinline=True, fastmath=FAST)
 def step_after(integrator, h, step, error, order, good, after_failure, left=0.5):
-    """The step to try next, s.
+    """Return the step to try next, s; set the run's status to STUCK if it is too short.
 
     Args:
-        integrator: gets `STUCK` if the step is too short.
+        integrator: the tables of the run.
         h: the step that error control had planned.
         step: the step that was tried, which may have been cut short by the end of a call.
         error: its error estimate, in tolerances.
@@ -170,7 +174,7 @@ def step_after(integrator, h, step, error, order, good, after_failure, left=0.5)
 
 @kernel(forceinline=True, fastmath=FAST)
 def step_after_good(h, step, factor, after_failure):
-    """The step to try after an accepted one, s; `factor` is the growth that the error alone would allow."""
+    """Return the step to try after an accepted one, s; `factor` is the growth that the error allows."""
     if after_failure:
         factor = min(factor, 1.0)
     # A step that was cut short says little about longer ones.
@@ -179,7 +183,7 @@ def step_after_good(h, step, factor, after_failure):
 
 @kernel(forceinline=True, fastmath=FAST)
 def _root(number, order):
-    """A root of a number; square roots and fourth roots take a tenth of the time of a power."""
+    """Return a root of a number; square and fourth roots take a tenth of the time of a power."""
     if order == 2:
         return math.sqrt(number)
     if order == 4:
@@ -197,7 +201,7 @@ def replace_state(q, v, a, to_q, to_v, to_a):
 
 @kernel(fastmath=FAST)
 def max_abs(values):
-    """The largest absolute value of a flat vector; NaN if any value is."""
+    """Return the largest absolute value of a flat vector; NaN if any value is."""
     eight_at_a_time()
     most = 0
     for j in range(1, values.size - SPARE):
@@ -207,7 +211,7 @@ def max_abs(values):
 
 @kernel(fastmath=FAST)
 def max_abs_difference(one, other):
-    """The largest absolute difference of two flat vectors; NaN if any is."""
+    """Return the largest absolute difference of two flat vectors; NaN if any is."""
     eight_at_a_time()
     most = 0
     for j in range(1, one.size - SPARE):
@@ -217,7 +221,7 @@ def max_abs_difference(one, other):
 
 @kernel(noalias=True, fastmath=FAST)
 def largest_sum(weights, rows, count, scratch):
-    """The largest absolute value of a weighted sum of the first `count` rows; NaN if any is."""
+    """Return the largest absolute value of a weighted sum of the first `count` rows; NaN if any is."""
     eight_at_a_time()
     for j in range(1, scratch.size - SPARE):
         scratch[j] = 0.0

@@ -13,16 +13,16 @@ from .loop import advance, begin_at_once, finish_step
 
 @kernel(fastmath=FUSED)
 def run_euler(problem, drive, end, tolerance, attempts):
-    """Advance to `end` by steps of `problem.fixed` seconds; arguments as of `advance`."""
+    """Advance to `end` by steps of `problem.fixed` seconds; see `advance` for the arguments."""
     advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, finish_step, 1.0, False)
 
 
 @kernel(internal=True, fastmath=FUSED)
 def _step(problem, drive, old, new, t, h, tolerance):
-    """See `advance`: as many steps as may be done at once.
+    """Take as many steps as `advance` allows at once.
 
-    Hands and held keys come before the forces, which see them as they are at the end of a step, as in the
-    tutorial. Circles belong to the equations of motion, whose forces are those at the start of a step.
+    Hands and held keys move before the forces are evaluated, so forces see them at the end of the step, as in
+    the tutorial. Circles are part of the equations of motion: forces see them at the start of the step.
     """
     trial, q, v = problem.integrator.trial, new.q, new.v
     _copy(old.q, old.v, q, v)

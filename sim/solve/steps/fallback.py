@@ -1,8 +1,8 @@
-"""The fallback step, for states from which no method finds a step, such as a spring of zero length.
+"""The fallback step, for states in which no method finds a step, such as a spring of zero length.
 
 It is one linearly implicit Euler step (Baraff & Witkin 1998) with a matrix that is positive definite in every
-state. Springs are given some length first, and no mass moves further than a spring is long. It never adds
-energy: the step is shortened until the energy is no larger than before, or else the body is brought to rest.
+state. Springs of zero length get some length first, and no mass moves further than a spring is long. The step
+never adds energy: it is shortened until the energy does not increase, or else the body is brought to rest.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from .guard import CHANGED, GOOD, state_ok
 
 @kernel(fastmath=FAST)
 def run_fallback(problem, drive, h, shortest, reach):
-    """One step of h seconds from a state in which the integrators are stuck.
+    """Take one step of h seconds from a state in which the integrators are stuck.
 
     Args:
-        problem, drive: as of `solve.steps.loop.advance`.
+        problem, drive: see `solve.steps.loop.advance`.
         h: length of the step, s.
         shortest: length to which shorter springs are set, px.
         reach: largest distance that a mass moves, px.

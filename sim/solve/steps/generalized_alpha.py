@@ -20,7 +20,8 @@ from .loop import advance
 from .turning import predict, store_direction, turn_and_stretch
 
 _RHO = 0.8
-"""Factor by which each step multiplies the fastest motions (the spectral radius at infinity)."""
+"""Factor by which each step multiplies the fastest motions, the spectral radius at infinity (Chung & Hulbert
+1993): 1 would keep all vibrations that the step cannot resolve, 0 damps those that it can."""
 
 _AM, _AF = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
 _BETA = 0.25 * (1.0 - _AM + _AF) ** 2
@@ -30,10 +31,12 @@ _EULER = 0.0, 0.0, 1.0, 1.0, 0.0
 """The same parameters for the implicit Euler method, which does not use that acceleration."""
 
 _STARTUP_STEPS = 2
-"""Number of steps of the implicit Euler method with which the method begins."""
+"""Number of steps of the implicit Euler method with which the method begins. By experiment: doubled or
+halved, nothing but 4 % of the work of long rods."""
 
 _ITERATIONS = 8
-"""Largest number of Newton iterations in a step."""
+"""Largest number of Newton iterations in a step. By experiment: 4 takes 11 % more work with a fixed step, a
+ring 4.5 times as much; 16 changes nothing."""
 _SECANT_ITERATIONS = 30
 """The same with friction, where iterations that do not contract go on with its secants. By experiment (girder
 on ground, friction 100, slip speed 1e-3, 1/960 s): with 8, 15, 30, 60, a step takes 780, 25, 3.5, 2 parts and
@@ -44,31 +47,39 @@ error d of a position makes an error of about d / h² of the acceleration, which
 exact derivatives Newton's method converges quadratically, so the size follows from that of the first update
 and the ratio found in earlier steps (Hairer & Wanner, "Solving Ordinary Differential Equations II", IV.8)."""
 _SURVEY = 8
-"""One step in this many always takes the second update, to measure that ratio."""
+"""One step in this many always takes the second update, to measure that ratio. By experiment: doubled or
+halved, 2 % in the work of long rods."""
 
 _SPAN = 2.5e-3
 """The error of a step is held to the tolerance of this many seconds, whatever its length: with an error per
-unit step, the steps of this method of second order would be too short to pay."""
+unit step, the steps of this method of second order would be too short to pay. By experiment: halved, a
+dragged rod of 400 masses takes 31 % more work at 0.1 px; doubled, 24 % less, with errors above the
+tolerance."""
 
 _AFTER_FAILURE = 0.75
 """Largest length, relative to a step whose error was too large, of the step that follows; the error grows
-smoothly, so that halving the step would be too much."""
+smoothly, so that halving the step would be too much. By experiment: 0.5 takes 5 % more work for a rod of
+400."""
 _WORTH = 1.25
-"""Growth of the step above which changing it pays."""
+"""Growth of the step above which changing it pays. By experiment: 1.1 or 1.5, 1 % in the work of long
+rods."""
 
 _SOLVED = 0.7
-"""Length of the next step relative to one in which Newton's method failed."""
+"""Length of the next step relative to one in which Newton's method failed. By experiment: 0.5 or 0.85, less
+than 2 % in work."""
 _RAISE = 1.06
 """Growth of the step limit, per step, after that: a failed Newton solve costs more than a converged one."""
 _RAISE_FIXED = 1.3
-"""The same for a fixed step."""
+"""The same for a fixed step. By experiment: 1.15 or 1.6, 4 % in work."""
 
 _IMPACT = 0.3
 """Largest fixed step in which something hits a wall or a body, relative to the time until it is deepest: in
-longer ones it may leave faster than it came."""
+longer ones it may leave faster than it came. By experiment: doubled or halved, 1 % in work; halved, the worst
+error of 20 bodies is a third."""
 
 _ACCEPTED = 1.5
-"""Largest error of a step, in tolerances; steps are chosen for an error below one."""
+"""Largest error of a step, in tolerances; steps are chosen for an error below 1. By experiment: with 1, a
+dragged rod of 400 masses takes 16 % more work at 0.1 px; with 2.25, 13 % less."""
 
 _ERROR = 0.1
 """Error of a step as a fraction of the distance between prediction and solution, found by experiment."""
@@ -76,7 +87,7 @@ _ERROR = 0.1
 
 @kernel(fastmath=FAST)
 def run_alpha(problem, drive, end, tolerance, attempts):
-    """Advance to `end`; arguments as of `advance`."""
+    """Advance to `end`; see `advance` for the arguments."""
     advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, math.inf, True)
 
 
@@ -251,7 +262,7 @@ def _longest(problem, old):
 
 @kernel(forceinline=True)
 def _zero_prescribed(drive, a):
-    """Clear the accelerations of driven masses."""
+    """Set the accelerations of masses with prescribed motion to zero."""
     for k in range(drive.mass.size):
         m = drive.mass[k]
         a[m], a[a.size // 2 + m] = 0.0, 0.0

@@ -1,4 +1,4 @@
-"""The check that keeps states that have run away from leaving a kernel."""
+"""The check that keeps diverged states from leaving a kernel."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from ...engine.bits import from_bits, size_bits
 from ...engine.jit import FAST, kernel
 
 GOOD, BAD_NUMBER, BAD_POSITION, BAD_SPEED, STUCK, CHANGED = 0, 1, 2, 3, 4, 5
-"""What is wrong with a state. STUCK: no step from it is accepted, however short. CHANGED: nothing is wrong,
-but springs have broken, so that the run has to begin anew."""
+"""Status of a run. STUCK: no step is accepted, however short. CHANGED: springs have broken, so the run has to
+be restarted with the remaining ones."""
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def state_ok(body, integrator, q, v, final):
-    """Whether all numbers of a state are within the limits.
+    """Return whether all numbers of a state are within the limits.
 
-    If not, and `final`, what is wrong is written into `integrator.run`, which ends the run. Otherwise a
-    shorter step may still be tried.
+    If not, and `final`, write the reason to `integrator.run`, which ends the run. Without `final`, a shorter
+    step may still be tried.
     """
     farthest, fastest = integrator.run.farthest, integrator.run.fastest
     far, fast = 0, 0
@@ -33,7 +33,7 @@ def state_ok(body, integrator, q, v, final):
 
 @kernel(fastmath=FAST)
 def _blame(body, integrator, q, v):
-    """Write into `integrator.run` what is wrong, and at which mass."""
+    """Write to `integrator.run` what is wrong, and at which mass."""
     farthest, fastest = integrator.run.farthest, integrator.run.fastest
     slots = q.size // 2
     for i in range(1, body.masses + 1):

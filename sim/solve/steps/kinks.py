@@ -20,22 +20,23 @@ from ...engine.tables import PAST, SPARE
 from .common import max_abs
 
 _MATTER = 0.03
-"""Error of a step, in tolerances, up to which kinks are ignored."""
+"""Error of a step, in tolerances, up to which kinks are ignored. By experiment on 20 bodies: doubled, errors
+of Adams grow by 8 %; halved, nothing changes."""
 
 _BEND = 0.5
 """Largest assumed deviation of a velocity's slope at its change of sign from the mean slope after it,
-relative to the mean slope."""
+relative to the mean slope. Below 1 it keeps that slope positive; halved, nothing changes on 20 bodies."""
 
 
 @kernel(forceinline=True)
 def ago(head, i):
-    """The row of the acceleration i steps before the latest."""
+    """Return the row of the acceleration i steps before the latest."""
     return np.uint64(head + i) & np.uint64(PAST - 1)
 
 
 @kernel(fastmath=FAST)
 def kinks_matter(air, a, step, weight, tolerance):
-    """Whether the errors of kinks are not far below the tolerance.
+    """Return whether the errors of kinks are not far below the tolerance.
 
     Args:
         air: (slots,) friction / mass, 1/px.
@@ -55,7 +56,7 @@ def kinks_matter(air, a, step, weight, tolerance):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def any_turns(v, to_v):
-    """Whether any velocity changes its sign."""
+    """Return whether any velocity changes its sign."""
     eight_at_a_time()
     turned = 0
     for j in range(1, v.size - SPARE):

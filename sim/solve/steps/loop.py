@@ -1,9 +1,9 @@
-"""The loop that all methods share: lead held masses, try a step, judge it, and keep it or try a shorter one.
+"""The loop that all methods share: move held masses, try a step, and accept it or try a shorter one.
 
-A method is a step: a kernel that leads from one `PhasePoint` to another and estimates its error. One that
-chooses its steps, or that keeps something from step to step, also has a kernel that begins a run and one that
-controls what comes next. All else is here: fixed and chosen steps, what makes a step acceptable, held keys,
-the energy balance, and springs that yield and break. `solve.steps.runge_kutta` is the shortest example.
+A method is a step: a kernel that leads from one `PhasePoint` to another and estimates the error. Methods that
+choose their steps or keep a history also have a kernel that begins a run and one that controls the next step.
+Everything else is here: fixed and adaptive steps, acceptance, held keys, the energy balance, and springs that
+yield and break. `solve.steps.runge_kutta` is the shortest example.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ from .common import (
 from .guard import CHANGED, GOOD, state_ok
 
 _MAX_AT_ONCE = 64
-"""Number of steps that may be done between two checks of the state. If a check fails, fixed ones are done
-again one at a time, so that a body that runs away stops at its last good state."""
+"""Number of steps between two checks of the state. If a check fails, fixed steps are repeated one at a time,
+so that a body that diverges stops at its last good state. By experiment: doubled or halved, nothing."""
 
 
 @kernel(inline="always")
@@ -59,7 +59,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
             and before it is kept. Returns the step to try next; see `steps.step_after`.
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
-        knows_a: whether the method uses the accelerations at `old` and leaves those at `new`.
+        knows_a: whether the method uses the accelerations at `old` and computes those at `new`.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
@@ -156,7 +156,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
 
 @kernel(forceinline=True)
 def _is_acceptable(problem, old, new, h, tolerance, shortest):
-    """Whether a step with a small error may be kept; if not, a shorter one may still be tried."""
+    """Return whether a step with a small error may be accepted; if not, a shorter one may be tried."""
     body, integrator = problem.body, problem.integrator
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
     too_short = h < WORTH_SHORTENING
@@ -178,10 +178,10 @@ def _is_acceptable(problem, old, new, h, tolerance, shortest):
 
 @kernel(internal=True)
 def begin_at_once(problem, drive, tolerance):
-    """For methods with a fixed step: nothing to begin with."""
+    """Do nothing, for methods with a fixed step."""
 
 
 @kernel(internal=True)
 def finish_step(problem, drive, old, new, h, tolerance, error, good):
-    """For methods with a fixed step: they have no step to choose."""
+    """Keep the step, for methods with a fixed step."""
     return problem.integrator.run.step

@@ -21,7 +21,8 @@ _MAX_STAGES = 8
 
 _SPAN = 5e-3
 """Any step may use at least the tolerance of this many seconds. Stiff motions decay within such a time, and
-an implicit method is meant to avoid following them."""
+an implicit method is meant to avoid following them. By experiment: doubled, RODAS takes 6 to 10 % less work
+with 23 % larger errors; halved, 1 to 4 % more work."""
 _SHORT = 4.0
 """That span as a multiple of the step, at most, where anything yields or breaks. Else the speed that a short
 step may miss at a kink would be unbounded. With walls or contact there is none: collisions are too short."""
@@ -29,7 +30,7 @@ step may miss at a kink would be unbounded. With walls or contact there is none:
 
 @kernel(fastmath=FAST)
 def run_rosenbrock(problem, drive, end, tolerance, attempts):
-    """Advance to `end` by the method `problem.implicit`; arguments as of `advance`."""
+    """Advance to `end` by the method `problem.implicit`; see `advance` for the arguments."""
     advance(problem, drive, end, tolerance, attempts, _begin, _step, _control, 2.0, True)
 
 

@@ -12,13 +12,13 @@ from .loop import advance, begin_at_once, finish_step
 
 @kernel(fastmath=FAST)
 def run_runge_kutta(problem, drive, end, tolerance, attempts):
-    """Advance to `end` by the method `problem.explicit`; arguments as of `advance`."""
+    """Advance to `end` by the method `problem.explicit`; see `advance` for the arguments."""
     advance(problem, drive, end, tolerance, attempts, begin_at_once, _step, finish_step, 1.0, True)
 
 
 @kernel(internal=True, fastmath=FAST)
 def _step(problem, drive, old, new, t, h, tolerance):
-    """See `advance`."""
+    """Take one step; see `advance`."""
     tableau, rates = problem.explicit, problem.integrator.rows
     stages = tableau.stages
     for j in range(1, old.q.size - SPARE):
@@ -35,7 +35,7 @@ def _step(problem, drive, old, new, t, h, tolerance):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def _stage(q, v, h, c, a, abar, rates, count, to_q, to_v):
-    """to_q = q + c h v + h² sum abar_l k_l and to_v = v + h sum a_l k_l, over `count` rates k."""
+    """Compute to_q = q + c h v + h² sum abar_l k_l and to_v = v + h sum a_l k_l, over `count` rates k."""
     eight_at_a_time()
     for j in range(1, q.size - SPARE):
         to_q[j], to_v[j] = q[j] + c * h * v[j], v[j]

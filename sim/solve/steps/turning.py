@@ -10,7 +10,7 @@ from ...engine.jit import FAST, kernel
 from ...engine.tables import SPARE
 
 _MIN_SQUARE = 1e-100
-"""Lower bound, px², of a squared length that is divided by."""
+"""Lower bound of squared lengths in denominators, px²; any tiny number does."""
 
 
 @kernel(internal=True, fastmath=FAST)
