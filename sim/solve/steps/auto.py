@@ -18,6 +18,10 @@ from .guard import GOOD, STUCK
 _SHARE = 0.05
 """Share of the computing time that is spent on trying another method. By experiment (40 bodies, 3
 tolerances): halved or doubled, 1 % in work."""
+_SHARE_OF_HOPELESS = 0.01
+"""That share for a method that was far from the best, and for all while generalized-alpha is best."""
+_CLOSE = 0.3
+"""Fraction of the best pace above which a method counts as close to the best."""
 
 _TAKING_OVER = 0.3
 """First step of generalized-alpha in a turn, relative to its last one: it is only of first order. By
@@ -37,13 +41,14 @@ the fifth root of the tolerance. Where the best method already gets as far in th
 step, the other methods are tried later. By experiment: doubled, a tuft of hair takes 2.2 times the work at
 1 px; halved, 1 % on average."""
 
+_HOPE = 0.3
+"""Length of the steps of generalized-alpha, relative to `_LONG_STEP`, that they hardly exceed."""
 _DOUBT = 0.1
 """Length of a step, relative to `_LONG_STEP`, up to which an implicit method that would need such steps to
 be the fastest is tried at once. By experiment: with 0, a rope of stiffness 1e6 takes 25 times the work."""
 _PATIENCE = 3.0
 """Computing time that passes before a trial that needs steps of that full length, relative to that of the
 trial. By experiment: doubled or halved, less than 1 % in work."""
-
 _FIRST = 0.5
 """First step of a method, relative to the one with which it would be the fastest: it can grow from there, and
 soon shows if it cannot. By experiment: with 0 or 1, an error of 3.8 or 3.6 tolerances."""
@@ -62,8 +67,7 @@ experiment: doubled or halved, less than 1 % in work."""
 
 _BEGINNING = 16
 """Number of Verlet's first steps, in which they grow to their full length; and, if stability limited any of
-them, of the next ones, which show whether it limits most. By experiment: doubled or halved, 4 % more work.
-After three times as many, the share of limited steps is known."""
+them, of the next ones, which show whether it limits most. By experiment: doubled or halved, 4 % more work."""
 _BEGINNING_OF_LONG = 4
 """The same for long bodies, whose steps stability soon limits, so that other methods take over. By
 experiment: 16 makes the first frame of a rod of 1000 masses slower (test_long_rods)."""
@@ -78,6 +82,9 @@ _LONG_TURN_STEPS = 512
 """Number of steps in a turn of Verlet where stability limits them, so that they hardly change. By experiment:
 halved or doubled, 2 % in work."""
 
+_LONGEST = 2.2
+"""Length of the longest stable steps of Verlet, relative to `near_damped_limit`, or more."""
+
 _SAVED_AT_LIMIT = 0.25
 """Part of the computing time of Verlet's steps that is saved where they are limited by stability and done at
 once. By experiment: doubled or halved, 4 % in work; with 0, RODAS is
@@ -86,6 +93,8 @@ chosen more often, and the walker exceeds 5 of 16 tolerances instead of 4."""
 _HELD = 0.2
 """Share of Verlet's steps that are limited by stability above which stability counts as the limit. By
 experiment: doubled or halved, 1 % in work."""
+_MEASURED = 48.0
+"""Computing time, in Verlet steps, after which that share is known."""
 
 
 @kernel(fastmath=FAST)
@@ -118,7 +127,9 @@ def next_turn(problem, end, whole_tolerance, left):
         left -= spent
     if not (run.time < end and left > 0 and run.status == GOOD):
         return -1, 0, 0.0, spent
-    method, limit = _select_method(auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited)
+    method, limit = _select_method(
+        auto, costs, _LONG_STEP * whole_tolerance**0.2, auto.limited, _LONGEST * problem.near_damped_limit
+    )
     began, step = run.time, auto.step[method]
     tolerance = problem.tolerance_factor[method] * whole_tolerance
     if _near_singular(problem.body, problem.state, problem.state.q):
@@ -177,13 +188,14 @@ def _enter_turn(integrator, costs, method, tries, price, end):
 
 
 @kernel(forceinline=True, fastmath=FAST)
-def _select_method(auto, costs, long_step, held):
-    """Return the method of the next turn and its maximum number of steps.
+def _select_method(auto, costs, long_step, held, longest):
+    """(method, number of steps that it may try).
 
     Args:
-        auto, costs: statistics and costs of the methods.
+        auto, costs: what is known of the methods.
         long_step: length of long implicit steps, s, see `_LONG_STEP`.
         held: share of Verlet's steps limited by stability.
+        longest: length that Verlet's steps hardly exceed, s, before they are known to be limited.
     """
     if auto.pace[VERLET] < 0.0:
         return VERLET, _BEGINNING if costs[ALPHA] == 0.0 else _BEGINNING_OF_LONG
@@ -192,6 +204,7 @@ def _select_method(auto, costs, long_step, held):
         if auto.pace[method] > auto.pace[best]:
             best = method
     pace = auto.pace[best]
+    likely = min(pace, longest) if best == VERLET else pace
     # Where stability limits Verlet's steps, or a long body calls for an implicit method, it limits those of
     # Adams methods even more.
     worth = best != ALPHA and held <= _HELD
@@ -207,11 +220,13 @@ def _select_method(auto, costs, long_step, held):
     for method in range(1, CHOICES):
         if costs[method] == 0.0 or auto.pace[method] >= 0.0:
             continue
-        hope = pace * costs[method] / long_step
+        hope = likely * costs[method] / long_step
         may = hope < 1.0
         if method == ADAMS:
-            may = may and worth and auto.work >= 3.0 * _BEGINNING
+            may = may and worth and auto.work >= _MEASURED
         elif best == VERLET:
+            if method == ALPHA:
+                hope /= _HOPE
             price = _trial_steps(method) * costs[method]
             may = hope < 1.0 and auto.work >= _PATIENCE * (hope - _DOUBT) * price
             waits = waits or (hope < 1.0 and not may)
@@ -222,14 +237,16 @@ def _select_method(auto, costs, long_step, held):
     if costs[other] > 0.0 and (worth or other != ADAMS):
         tries = _trial_steps(other)
         price = tries * costs[other] + (_RESTART * costs[best] if best in (ALPHA, ADAMS) else 0.0)
-        if auto.work * _SHARE > price:
+        close = best != ALPHA and auto.pace[other] > _CLOSE * pace
+        share = _SHARE if close else _SHARE_OF_HOPELESS
+        if auto.work * share > price:
             auto.work = 0.0
             auto.asked += 1
             return other, tries
     else:
         auto.asked += 1
     if best != ALPHA and auto.last == ALPHA:
-        return best, _trial_steps(best)  # its statistics are out of date
+        return best, _trial_steps(best)  # what is known of it is out of date
     if best == VERLET and held > _HELD and not waits:
         return best, _LONG_TURN_STEPS
     return best, _TURN_STEPS if best in (VERLET, ADAMS) else _IMPLICIT_TURN_STEPS
