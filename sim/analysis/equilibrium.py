@@ -19,7 +19,7 @@ from ..forces.springs import SpringsReference
 from ..forces.touch.contact import no_tunnelling
 from ..forces.touch.walls import NOWHERE, WallRow
 from ..model.sparsity import new_matrix
-from ..model.state import grips_of, new_scratch, put_grips, start_of
+from ..model.state import grips_of, new_scratch, start_of
 from ..model.system import build_system, damage_of, for_analysis
 from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Grips, Pose, Scene
@@ -145,8 +145,6 @@ class StaticModel:
         forces = np.outer(scene.gravity, weight) + (0.0 if self.system.loads is None else self.system.loads)
         state.gx[here], state.gy[here] = state.inverse_mass[here] * forces
         self._sticks = body.environment.sticks
-        if self._sticks:
-            put_grips(state, self.system, scene.pose.grips if scene.pose is not None else None)
         self.slots = state.x.size
         self.start = np.zeros(2 * self.slots)
         self.start[here], self.start[self.slots :][here] = self.system.start[:2]

@@ -75,7 +75,7 @@ class Sticking(Protocol):
     """A `Reference` that remembers what it sticks to."""
 
     def update_friction_history(self, x: Vectors, v: Vectors) -> None:
-        """After a step to positions x with velocities v, update tangential springs; see `sticking`."""
+        """Update the tangential springs after a step to positions x with velocities v."""
         ...
 
 

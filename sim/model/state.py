@@ -6,12 +6,13 @@ position; see `sim.forces.touch.friction_history`.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..engine.layout import Layout, aligned_arena
 from ..engine.table import Table
@@ -24,8 +25,10 @@ from ..forces.touch.friction_history import room_in_scratch, room_in_state
 from ..forces.touch.walls import NOWHERE
 from ..near import nearest_points
 from ..scene.types import Damage, Grips, Scene
-from .system import System, damage_of
+from .system import System
 
+Bools = NDArray[np.bool_]
+"""An array of flags."""
 _Made = TypeVar("_Made", bound=Table)
 
 
@@ -160,15 +163,10 @@ def start_of(scene: Scene, system: System) -> tuple[System, State]:
         system: its tables.
     """
     state = new_state(system)
-    if (damage := damage_of(scene)) is not None:
-        put_damage(state, system, damage)
-        system = whole_without_broken(system, state)
-    state.controls[0] = scene.rest_length_scale
-    update_rest_state(system.body, state)
-    here = slice(1, system.body.masses + 1)
-    put_rows(state, system.start, here)
-    state.inverse_mass[here] = np.where(system.held, 0.0, system.inverse_mass)
-    return system, state
+    pose, masses = scene.pose, slice(1, system.body.masses + 1)
+    carried = Carried(system.start, pose and pose.damage, pose and pose.grips)
+    controls = scene.rest_length_scale, 0.0
+    return fill_in(state, system, scene, carried, masses, controls, 0.0, system.held), state
 
 
 def whole_without_broken(system: System, state: State) -> System:
@@ -214,8 +212,8 @@ def fill_in(
     slots: slice | Indices,
     controls: tuple[float, float],
     time: float,
-    grabbed: Collection[int],
-) -> tuple[System, bool]:
+    held: Bools,
+) -> System:
     """Set all of a state.
 
     Args:
@@ -226,13 +224,13 @@ def fill_in(
         slots: of the masses in its rows.
         controls: rest length scale, and degrees added to all rest angles.
         time: s.
-        grabbed: see `put_masses`.
+        held: (n,) whether each mass is held, in the order of the slots.
 
     Returns:
-        The tables without what has broken, and whether all masses are held.
+        The tables without what has broken.
     """
     put_rows(state, carried.rows, slots)
-    all_held = put_masses(state, system, scene, grabbed)
+    put_masses(state, system, scene, held)
     state.controls[:] = controls
     state.clock[0] = time
     if system.body.limits.present:
@@ -240,7 +238,7 @@ def fill_in(
         system = whole_without_broken(system, state)
     update_rest_state(system.body, state)
     put_grips(state, system, carried.grips)
-    return system, all_held
+    return system
 
 
 def put_rows(state: State, rows: Floats, slots: slice | Indices) -> None:
@@ -250,23 +248,16 @@ def put_rows(state: State, rows: Floats, slots: slice | Indices) -> None:
         vector.reshape(2, -1)[:, slots] = of_masses
 
 
-def put_masses(state: State, system: System, scene: Scene, grabbed: Collection[int] = ()) -> bool:
+def put_masses(state: State, system: System, scene: Scene, held: Bools) -> None:
     """Set inverse masses, air friction, gravity and constant forces in a state: zero for held masses.
 
     Args:
         state: of the tables.
         system: the tables.
         scene: the scene.
-        grabbed: masses of the scene that are held besides those of its anchors.
-
-    Returns:
-        Whether all masses are held.
+        held: (n,) whether each mass is held, in the order of the slots.
     """
-    masses, held = slice(1, system.body.masses + 1), system.held
-    if grabbed:
-        held = held.copy()
-        held[system.mass_index[list(grabbed)] - 1] = True
-    free = np.where(held, 0.0, 1.0)
+    masses, free = slice(1, system.body.masses + 1), np.where(held, 0.0, 1.0)
     inverse_mass = free * system.inverse_mass
     state.v.reshape(2, -1)[:, masses] *= free
     state.inverse_mass[masses] = inverse_mass
@@ -278,7 +269,6 @@ def put_masses(state: State, system: System, scene: Scene, grabbed: Collection[i
             array[masses] = free * gravity + inverse_mass * system.loads[k]
         elif gravity:
             array[masses] = free * gravity
-    return np.count_nonzero(free) == 0
 
 
 def damage_in(state: State, system: System) -> Damage | None:

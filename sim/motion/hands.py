@@ -18,6 +18,7 @@ import numpy as np
 
 from ..engine.tables import State
 from ..errors import InputError
+from ..model.state import Bools
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED
 from .stability import quick_limit
@@ -196,6 +197,15 @@ class Hands:
         self.targets.pop(index, None)
         if self.limited.pop(index, None):
             self._state.vx[index] = self._state.vy[index] = 0.0
+
+    @property
+    def held(self) -> Bools:
+        """(n,) whether each mass is held, by the scene or by a hand, in the order of the slots."""
+        held = self._system.held
+        if self.grabbed:
+            held = held.copy()
+            held[self._system.mass_index[list(self.grabbed)] - 1] = True
+        return held
 
     def hold(self, mass: int) -> bool:
         """Whether a mass of the scene is held, by the scene or by a hand."""

@@ -37,14 +37,14 @@ class KeyRates(NamedTuple):
     angle: float = 0.0
 
 
-NO_PRESSES = KeyRates()
+NO_KEY_RATES = KeyRates()
 """No key is held."""
 
 
-def presses_of(scene: Scene, keys: frozenset[str]) -> KeyRates:
+def key_rates_of(scene: Scene, keys: frozenset[str]) -> KeyRates:
     """The effect of held keys in one time step of a scene."""
     if not keys or scene.arrow_keys is None:
-        return NO_PRESSES
+        return NO_KEY_RATES
     rates, dt = scene.arrow_keys, scene.integrator.dt
     intervals = dt / rates.interval
     # Limited to the whole range of scales and to one full turn, beyond which nothing changes.
@@ -119,7 +119,7 @@ class Motion:
         self._driver = Driver(scene, system, self.state)
         # The drive of the last call, unless it had targets or hands, and the keys in it.
         self._kept: PrescribedMotion | None = None
-        self._presses = NO_PRESSES
+        self._key_rates = NO_KEY_RATES
         if hands is not None:
             self.hands.take_over(hands)
         if carried is None:
@@ -182,9 +182,9 @@ class Motion:
         state, whole = self.state, self._whole
         controls = controls or (self.scene.rest_length_scale, 0.0)
         slots = whole.mass_index if slots is None else slots
-        grabbed = self.hands.grabbed
-        system, held = fill_in(state, whole, self.scene, carried, slots, controls, time, grabbed)
-        self._all_held = held
+        held = self.hands.held
+        system = fill_in(state, whole, self.scene, carried, slots, controls, time, held)
+        self._all_held = bool(held.all())
         if whole.body.limits.present:
             self.solver.system = system
         # Time, s, and steps at which the method began anew, or is to with the next step.
@@ -206,7 +206,9 @@ class Motion:
 
     def hold(self) -> None:
         """Say what forces do to each mass: nothing where it is held."""
-        self._all_held = put_masses(self.state, self.system, self.scene, self.hands.grabbed)
+        held = self.hands.held
+        self._all_held = bool(held.all())
+        put_masses(self.state, self.system, self.scene, held)
         self.begin_anew()
 
     def begin_anew(self) -> None:
@@ -238,7 +240,7 @@ class Motion:
             self.steps += steps
         return left
 
-    def step(self, steps: int, presses: KeyRates, attempts: int = UNLIMITED) -> Outcome:
+    def step(self, steps: int, rates: KeyRates, attempts: int = UNLIMITED) -> Outcome:
         """Advance by some time steps; by fewer if the attempts run out or the body runs away."""
         hands, all_held = self.hands, self._all_held
         if self._begins:
@@ -255,19 +257,19 @@ class Motion:
             self._led = targets
         if hands.limited:
             self._kept = self._steady = None
-            status = self._lead_limited(until, presses, attempts)
+            status = self._lead_limited(until, rates, attempts)
         else:
             drive = self._kept
-            if drive is None or presses != self._presses:
-                drive = self._drive(until, targets, presses)
+            if drive is None or rates != self._key_rates:
+                drive = self._drive(until, targets, rates)
                 if not targets:
-                    self._kept, self._presses = drive, presses
+                    self._kept, self._key_rates = drive, rates
             self._steady = None
             if all_held and drive.moving and self._adaptive and solver.tracks_energy:
                 status = self._substeps(until, drive, min(_HALTS * steps, attempts), attempts)
             else:
                 status = solver.run(until, drive, attempts)
-                settled = drive is self._kept and presses is NO_PRESSES and not all_held
+                settled = drive is self._kept and rates is NO_KEY_RATES and not all_held
                 if settled and isinstance(solver, Solver):
                     self._steady = solver, drive
         time = solver.time
@@ -280,9 +282,9 @@ class Motion:
         return Outcome(done) if status == guard.GOOD else Outcome(done, status, solver.index)
 
     def _drive(
-        self, until: float, targets: Targets, presses: KeyRates, motions: HandMotions = NO_MOTIONS
+        self, until: float, targets: Targets, rates: KeyRates, motions: HandMotions = NO_MOTIONS
     ) -> PrescribedMotion:
-        growth, turn = math.log(presses.factor) / self._dt, presses.angle / self._dt
+        growth, turn = math.log(rates.factor) / self._dt, rates.angle / self._dt
         return self._driver.drive(self.solver.time, until, targets, growth, turn, motions)
 
     def _substeps(self, until: float, drive: PrescribedMotion, halts: int, attempts: int) -> int:
@@ -293,7 +295,7 @@ class Motion:
             solver.run(start + (until - start) * i / halts, drive, last - solver.work)
         return solver.run(until, drive, last - solver.work)
 
-    def _lead_limited(self, until: float, presses: KeyRates, attempts: int) -> int:
+    def _lead_limited(self, until: float, rates: KeyRates, attempts: int) -> int:
         """Advance in parts that are short enough for rate-limited hands."""
         hands, solver, start = self.hands, self.solver, self.solver.time
         last, status = solver.work + attempts, guard.GOOD
@@ -301,7 +303,7 @@ class Motion:
         for i in range(1, parts + 1):
             began, end = solver.time, until - (until - start) * (parts - i) / parts
             motions = {index: hand.next_motion(end - began) for index, hand in hands.limited.items()}
-            drive = self._drive(until, hands.targets, presses, motions)
+            drive = self._drive(until, hands.targets, rates, motions)
             status = solver.run(end, drive, last - solver.work)
             for index, hand in hands.limited.items():
                 hand.go_on(motions[index], solver.time - began)

@@ -25,7 +25,7 @@ from .divergence import Divergence, explain
 from .energy import Energies, EnergyTracker
 from .hands import Hands, within_bounds
 from .moment import Moment
-from .motion import Motion, presses_of
+from .motion import Motion, key_rates_of
 from .plain import PlainSolver
 from .recording import Recording
 from .solver import UNLIMITED, Solver, SolverStats
@@ -331,8 +331,8 @@ class Simulation:
             return 0
         if self.plain:
             self.take_compiled()
-        presses = presses_of(self._scene, self._keys)
-        outcome = self._motion.step(n, presses, limit)
+        rates = key_rates_of(self._scene, self._keys)
+        outcome = self._motion.step(n, rates, limit)
         if outcome.status != guard.GOOD:
             self.divergence = explain(self._scene, self._system, self._state, self.step_count, outcome)
         return outcome.steps
@@ -410,11 +410,8 @@ class Simulation:
         `advance` keeps.
         """
         kept = self._tracker is not None
-        carried, time, steps = (
-            Carried(moment.rows, moment.damage, moment.grips),
-            moment.time,
-            moment.step_count,
-        )
+        time, steps = moment.time, moment.step_count
+        carried = Carried(moment.rows, moment.damage, moment.grips)
         controls = moment.rest_length_scale, moment.rest_angle_shift
         if moment.scene is not self._scene or self._lacks_room_for(carried):
             self._install(Motion(moment.scene, self._wait, carried, time, steps, controls))
@@ -439,11 +436,10 @@ class Simulation:
         self._time_remainder = other._time_remainder
         self._hands.take_over(other._hands)
         self._keys = other._keys
-        self._motion.begin(carried, other.time, other.step_count)
         if shift is not None:
-            free = self._state.inverse_mass[self._system.mass_index] > 0.0
-            carried = carried._replace(rows=carried.rows + np.where(free, shift, 0.0))
-            self._motion.begin(carried, other.time, other.step_count)
+            held = self._hands.held[self._system.mass_index - 1]
+            carried = carried._replace(rows=carried.rows + np.where(held, 0.0, shift))
+        self._motion.begin(carried, other.time, other.step_count)
         self._begun()
 
     def replace(self, scene: Scene) -> None:

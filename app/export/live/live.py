@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 import sim
-from sim.motion.motion import presses_of
+from sim.motion.motion import key_rates_of
 from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.scene.types import shown_name
 
@@ -131,7 +131,7 @@ def _moving(moment: sim.Moment) -> dict[str, Any]:
 
 def _per_second(scene: sim.Scene, key: str) -> dict[str, float]:
     """The effect of a held key in a second, the `Presses` of `static/steps.js`."""
-    presses, steps = presses_of(scene, frozenset((key,))), 1.0 / scene.integrator.dt
+    presses, steps = key_rates_of(scene, frozenset((key,))), 1.0 / scene.integrator.dt
     return {"factor": math.exp(min(math.log(presses.factor) * steps, 700.0)), "angle": presses.angle * steps}
 
 

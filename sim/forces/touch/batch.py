@@ -1,4 +1,4 @@
-"""Forces of contact, of many pairs at a time; the symbols are those of `contact_pairs`.
+"""Forces of contact, of many pairs at a time; the symbols are those of `pairs`.
 
 Of the pairs on the list, those that touch are noted until there are enough for a batch. A loop over a batch
 has no branches, so that it is vectorised, with which a step of a heap takes a third of the time. Then forces

@@ -1,6 +1,6 @@
 """Contact of masses with linear springs: force, energy, balance, derivatives, and what it asks of a step.
 
-Symbols, rows and the force of a pair are in `contact_pairs`, how pairs are found in `broad_phase`.
+Symbols, rows and the force of a pair are in `pairs`, how pairs are found in `broad_phase`.
 """
 
 from __future__ import annotations
@@ -586,7 +586,7 @@ def direction(gap: Vectors, spring: Vectors) -> Vectors:
 
 
 def places(x: Vectors, m: Indices, a: Indices, b: Indices, t: Floats) -> tuple[NDArray[Any], ...]:
-    """(k,) each of `contact_pairs.place_of`, of masses that touch springs from a to b at t."""
+    """(k,) each of `pairs.place_of`, of masses that touch springs from a to b at t."""
     spring = x[b] - x[a]
     gap = x[m] - x[a] - t * spring
     way = direction(gap, spring)

@@ -57,7 +57,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             at once, and report them (`trial.count`, `trial.end`). With an energy balance, `control` then
             accounts for all but the last (`trial.start`), if the step is accepted.
         control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
-            and before it is kept. Returns the step to try next; see `steps.step_after`.
+            and before it is kept. Returns the step to try next; see `common.step_after`.
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
         knows_a: whether the method uses the accelerations at `old` and computes those at `new`.
     """
