@@ -90,6 +90,7 @@ class _Block:
     _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
     _others: ClassVar[set[str]]  # names of all other fields
     fields: ClassVar[dict[str, _Field]]
+    tables: ClassVar[frozenset[str]]  # names of those that are tables
     numba_type: ClassVar[TableType]
     _numba_type_: ClassVar[TableType]
 
@@ -107,6 +108,7 @@ class _Block:
                 type_ = _NUMBERS.get(kind, table)
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
                 start += 1
+        cls.tables = frozenset(n for n, f in cls.fields.items() if isinstance(f.type, TableType))
         cls._bytes = _ITEM * start
         cls.numba_type = TableType(cls.__name__, cls.mutable)
         cls._numba_type_ = cls.numba_type  # numba checks this attribute before it calls `typeof_impl`
@@ -180,12 +182,13 @@ class _Block:
 
     def read_only(self) -> Self:
         """The table, with its arrays and those of its tables read-only from now on, but for `changing`."""
-        for name in self.fields.keys() - self.changing:
-            value = getattr(self, name)
-            if isinstance(value, np.ndarray):
-                value.setflags(write=False)
-            elif isinstance(value, _Block):
-                value.read_only()
+        known = self.__dict__
+        if "_is_read_only" not in known:
+            for name, field in self.fields.items():
+                if name not in self.changing and (field.dtype is not None or name in self.tables):
+                    part = known[name]
+                    part.setflags(write=False) if field.dtype is not None else part.read_only()
+            known["_is_read_only"] = True
         return self
 
     def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
@@ -267,6 +270,7 @@ class Table(_Block):
         """A copy of the table with other values in some fields; arrays are not copied."""
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
+        copy.__dict__.pop("_is_read_only", None)
         copy._fill(bytearray(self.__dict__["_wholes"]), changes)
         return copy
 

@@ -501,12 +501,6 @@ class EnergyBalance(Table):
     quick: Rows
 
 
-MIN_STIFF_RATE = 0.5
-"""Step length in time constants of friction or of a medium from which the energy balance takes its work from
-displacements and not from speeds. By experiment (test_the_balance_closes_at_any_resistance, RODAS at 0.1 px):
-with 4, `air` is off by 60 to 100 %; with 0.5, by less than 1 %."""
-
-
 class Problem(Table):
     """Everything that a run of a method needs, except what drives the body and how far it is to go."""
 
