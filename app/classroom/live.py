@@ -331,6 +331,8 @@ class Class:
 
     def poll_writer(self) -> None:
         """Write what is new, if it is time, and see what has been written: only that is acknowledged."""
+        if self.ended:
+            return  # what was under way is cancelled
         if self.room.is_home and not self.room.told and time.time() >= (self.room.until or 0.0):
             self.room.tell()
         self._take_verdicts()
@@ -353,8 +355,11 @@ class Class:
 
     def _take_written(self) -> None:
         """Take the results of writes that are done."""
-        if self._writing_bodies is not None and self._writing_bodies.done():
-            error, self._writing_bodies = self._writing_bodies.exception(), None
+        bodies = self._writing_bodies
+        if bodies is not None and bodies.done():
+            self._writing_bodies = None
+            # As the server ends it may have been cancelled, for another file was being made.
+            error = None if bodies.cancelled() else bodies.exception()
             if error is not None and not self.trouble:
                 # No answer is lost: a body starts again.
                 _log.warning("the bodies of the class %s were not stored: %s", self.room.code, error)

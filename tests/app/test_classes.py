@@ -202,6 +202,31 @@ def test_answers_do_not_wait_for_the_zip(class_folder: Path, monkeypatch: pytest
     made.set()
 
 
+@pytest.mark.parametrize("ends", [False, True])
+def test_bodies_that_wait_behind_the_zip_as_everything_ends_are_no_error(
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch, ends: bool
+) -> None:
+    classes = Classes()
+    classroom = classes.begin(a_room().scenes)
+    until_written(classroom)
+    begun, made = threading.Event(), threading.Event()
+    monkeypatch.setattr(live, "pack", lambda *_: begun.set() or made.wait(10.0) and b"")
+    classroom.pack()
+    assert begun.wait(10.0)
+    classroom.keep_body(classroom.room.enter(SECRETS[0]).number, b"where it is")
+    classroom.poll_writer()
+    if ends:
+        classroom.end()
+        tended(classroom, lambda: classroom.ended)
+        classroom.poll_writer()
+    made.set()
+    classes.close()
+    if not ends:
+        assert kept.read_bodies(classroom.room.code) == {1: (0, b"where it is")}
+        (after,) = taken_up()
+        assert after.body(1) == b"where it is"
+
+
 def test_where_a_body_is_is_kept_only_for_seats_that_there_are(class_folder: Path) -> None:
     classroom = Classes().begin(a_room().scenes)
     for secret in SECRETS[:3]:
