@@ -464,7 +464,7 @@ def _continuation(body: StaticModel) -> Floats:
 
 
 def _settle(body: StaticModel, q: Floats, move: Floats, shift: float) -> tuple[float, Floats]:
-    """Newton's iterations for the end of an implicit step, of which `move` is the first.
+    """Newton's iterations for the end of an implicit step; `move` is the first.
 
     Returns:
         The size of the second iteration relative to the first, which is infinite if they do not converge; and

@@ -40,7 +40,7 @@ _MIN_PER_CALL = 1e-3
 """Factor by which a distance shrinks in a call, at most; what is less may be rounding."""
 
 _SWING = 0.5
-"""Seconds of which the largest distance counts: a distance may be nothing while it changes its sign."""
+"""Length of the window, s, whose largest distance counts: a distance passes through zero at times."""
 _SAMPLE = 1.0 / 60.0
 """Seconds between two samples."""
 _LONGEST_RUN = 1e4

@@ -98,8 +98,8 @@ class Tuning:
         stable_steps: s, the largest stable time step of each method that has one, about the scene's start;
             infinite where nothing limits it.
         springs, joints: each alone.
-        notes: why something is missing, and what would break or yield in the pose at rest, of which these
-            numbers do not know; a sentence without a full stop each.
+        notes: why something is missing, and what would break or yield in the pose at rest, which these
+            numbers leave out; one sentence each, without a full stop.
     """
 
     slowest: Vibration | None
@@ -259,7 +259,7 @@ class Dampers:
         return power / (2.0 * omega * float((self._mass * shape**2).sum()))
 
     def drag(self, shape: Floats, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
-        """(n, 2) the forces against the velocities `shape`, kg/s times these; arguments as of `ratio`."""
+        """(n, 2) the forces against the velocities `shape`, kg/s times these; arguments as in `ratio`."""
         system, state, physics = self._system, self._state, self._physics
         body = system.body
         springs, joints = (
@@ -279,7 +279,7 @@ class Dampers:
         return change[system.mass_index].view(np.float64).reshape(-1, 2)
 
     def hold(self, omega: float, shape: Floats) -> Hold:
-        """What holds a vibration; arguments as of `ratio`."""
+        """What holds a vibration; arguments as in `ratio`."""
         unit, around = 2.0 / omega, self.ratio(omega, shape)
         return Hold(
             self.ratio(omega, shape, springs=unit * self.numbers.stiffness) - around,

@@ -94,7 +94,7 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
     """Like `vibrations`, but of any body: motions that nothing resists, such as those of a free body as a
     whole, are left out. So are vibrations slower than 0.005 Hz. There may be fewer than the count, or none.
 
-    Args and errors: as of `vibrations`, but that the body can move without any restoring force.
+    Arguments and errors are those of `vibrations`, except that the body may move without restoring force.
     """
     body = _checked(scene, count)
     with contextlib.suppress(InputError):

@@ -1,1 +1,1 @@
-"""Keeps track of which kernels are compiled, and compiles them in the background."""
+"""Keeps track of the kernels that are compiled, and compiles them in the background."""

@@ -1,4 +1,4 @@
-"""Keeps track of which kernels are compiled, and compiles them in the background, in other processes.
+"""Keeps track of the kernels that are compiled, and compiles them in the background, in other processes.
 
 Every kernel that is called from Python, or through its address, is an entry point with one signature. Entry
 points are compiled and cached on disk separately. One is ready when its machine code is loaded in this

@@ -12,7 +12,7 @@ from ..scene.types import Scene
 Floats = NDArray[np.float64]
 
 _FEWEST = 8
-"""Places of which a circle is told."""
+"""Smallest number of points through which a circle is fitted."""
 _FAR = 0.02
 """Part by which a radius differs that is said."""
 _SURE = 4.0

@@ -65,7 +65,7 @@ class Combination:
     """A function of some unknowns, f(u): a product of terms.
 
     Attributes:
-        terms: of which it is made.
+        terms: its factors.
         parameters: all unknowns.
     """
 

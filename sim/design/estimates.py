@@ -104,12 +104,12 @@ class Identifiability:
 
     Args:
         parameters: the unknowns.
-        u: the best.
-        spread: (known directions, unknowns) one standard deviation of each.
-        unknown: (directions, unknowns) of which they tell nothing.
-        wide: standard deviations of an interval.
-        give_way: for other u, of which some are held, the best of the others, and by how much the sum of
-            squares is larger then.
+        u: the best estimate.
+        spread: (known directions, unknowns) one standard deviation along each.
+        unknown: (directions, unknowns) the directions that the data do not determine.
+        wide: half-width of an interval, in standard deviations.
+        give_way: given u and the indices of held unknowns, minimizes over the others; returns the whole
+            u and the increase of the sum of squares.
     """
 
     def __init__(

@@ -143,7 +143,7 @@ class _Search:
     """Finds the least sum of squares.
 
     Args:
-        problem: of which.
+        problem: the residuals whose squares are summed.
         progress: see `fit`.
     """
 
@@ -342,8 +342,8 @@ class _Search:
         at: Floats,
         held: Sequence[int],
     ) -> tuple[Floats, float]:
-        """Other unknowns, of which some are held and the others give way, and by how much the sum of squares
-        is larger than the least.
+        """The least sum of squares with some unknowns held: all unknowns there, and by how much the sum
+        exceeds the least of all.
 
         It takes a few steps of Newton's method with the slopes of the best, until that is less than enough.
         """

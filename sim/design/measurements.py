@@ -127,7 +127,7 @@ def parse_measurements(data: bytes, name: str) -> tuple[Measurement, ...]:
 
 
 class _Table:
-    """Columns of numbers, of which some are clocks.
+    """Columns of numbers; some of them are clocks.
 
     Args:
         grid: the cells.

@@ -71,9 +71,9 @@ def parameter(name: str, scene: Scene, duration: float) -> Parameter:
     "spring0.stiffness"; or what a mass starts with, as in "mass1.vx".
 
     Args:
-        name: of it.
-        scene: of which.
-        duration: of the measurement, s, for the scale of velocities.
+        name: what to vary.
+        scene: a valid scene that has it.
+        duration: length of the measurement, s, which sets the scale of velocities.
 
     Raises:
         InputError: there is no such number, or it cannot be fitted.

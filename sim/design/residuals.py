@@ -79,13 +79,14 @@ class _Table:
 
 @dataclass(frozen=True)
 class _Unknown:
-    """An unknown: a parameter, and of what it is if not of the scene.
+    """An unknown: a parameter of the scene, or a number of a measurement.
 
     Attributes:
-        parameter: how it is sought.
-        table: of which measurement; -1 for all.
-        axis: of an origin; or of the start of a mass, then with the next two.
-        mass, of: index, and 0 for its place, 1 for its velocity.
+        parameter: its name, scale and range.
+        table: index of the measurement it belongs to; -1 for all of them.
+        axis: 0 for x, 1 for y, if it is a coordinate of a measurement's origin or of a mass's start.
+        mass: index of the mass whose start it is; -1 for an origin.
+        of: 0 for that mass's position, 1 for its velocity.
     """
 
     parameter: Parameter
@@ -101,7 +102,7 @@ class Problem:
     Args:
         scene: a valid scene.
         tables: what was measured.
-        vary, match, scale: as of `fit`.
+        vary, match, scale: as in `fit`.
 
     Raises:
         InputError: a column or a name is not right, or there are too few numbers.

@@ -35,7 +35,7 @@ Change = Callable[[Scene, float], Scene]
 """The scene with a number whose logarithm is greater by so much."""
 
 NUMBERS = ("linear_stiffness", "angular_stiffness", "gravity")
-"""The settings of which `sensitivities` tells."""
+"""The settings whose derivatives `sensitivities` gives."""
 _STEP = 1e-4
 """Change of a logarithm in a difference."""
 _SWAY = 1e-3

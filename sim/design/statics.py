@@ -301,8 +301,8 @@ class Statics:
         return np.where(self.is_spring, x, np.abs(x)) / self.most
 
     def most_even(self) -> Floats | None:
-        """(m,) unknowns in balance of which the largest `share` is least, by a linear program, if it finds
-        them."""
+        """(m,) the unknowns in balance whose largest `share` is least, by a linear program; None if it
+        finds none."""
         from scipy.optimize import linprog
         from scipy.sparse import csr_array, diags_array, eye_array, hstack, vstack
 

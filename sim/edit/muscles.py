@@ -102,7 +102,7 @@ def move_muscles(scene: Scene, parts: Selection, later: float, stretch: float, t
         parts: those without a muscle stay as they are.
         later: beats by which each comes to its largest later.
         stretch: what is added to the amplitudes of springs, which stay within their range.
-        turn: degrees that are added to the amplitudes of joints, likewise.
+        turn: degrees that are added to the amplitudes of joints, which stay within theirs.
 
     Raises:
         SettingError: none of them has a muscle.

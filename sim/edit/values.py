@@ -174,7 +174,7 @@ def scale_number(
     The largest is that of the largest size; where it is negative, it is the size that gets the value.
 
     Args:
-        scene, of, parts, shift: as of `set_number`.
+        scene, of, parts, shift: as in `set_number`.
         largest: the new value of the largest.
 
     Raises:

@@ -80,9 +80,12 @@ def _layout(
     page_offset: int,
     rows: Mapping[str, int] | None = None,
 ) -> Layout[_Made]:
-    """The layout of a table that has nothing but arrays, some of them empty; arguments as of `aligned_arena`.
+    """The layout of a table that has nothing but arrays, some of them empty.
 
-    `rows`: of each array with two dimensions, their number.
+    Args:
+        kind: the table's class.
+        sizes, page_offset: by field, and as in `aligned_arena`.
+        rows: by field, the number of rows of each array with two dimensions.
     """
     arrays = aligned_arena(list(sizes.values()), page_offset)
     fields = dict(zip(sizes, arrays, strict=True))

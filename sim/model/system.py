@@ -333,9 +333,8 @@ def with_numbers(
     Args:
         wiring: what connects the masses.
         of_springs: (3, S) stiffness, damping and rest length, in the scene's order, as in `Body`.
-        of_joints: (3, J) stiffness, damping and rest angle, likewise.
-        law: as in `Body.law`.
-        softening: likewise.
+        of_joints: (3, J) stiffness, damping and rest angle, in the same order.
+        law, softening: as in `Body`.
     """
     order, ring, room = wiring.spring_order, wiring.ring, wiring.room
     count = order.size

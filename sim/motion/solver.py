@@ -96,7 +96,8 @@ of speeds mostly cancel where a body vibrates. In a collision, which takes a few
 leaves a wrong speed, and collisions and breaks turn small errors into larger ones."""
 
 _WITH_GRIP, _WITH_GRIP_LOW = 0.7, 0.2
-"""Likewise where friction holds; below `LOW_TOLERANCE`, where `auto` takes RODAS 5P, that of every method.
+"""The same again where friction holds: the first for RODAS 5P above `LOW_TOLERANCE`; the second below it,
+for every method.
 Without it, one random world in seven is off by up to twice 1e-3 px; with it, 98 in 100 are within theirs."""
 
 FALLBACK_STEP = 1e-3

@@ -89,7 +89,7 @@ def _column(parts: Parts, field: str, dtype: type) -> NDArray[Any]:
 
 
 def _inherited(parts: Parts) -> _Arrays:
-    """The arrays that follow from those of other parts, of which most are the same."""
+    """The arrays of parts most of which are the same as in an earlier call: only the others are read anew."""
     for other, arrays in reversed(list(_kept.values())):
         before = _same(parts, other)
         after = min(_same(reversed(parts), reversed(other)), min(len(parts), len(other)) - before)

@@ -59,7 +59,8 @@ class Medium(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The ground on which all springs lie, of a scene that is seen from above, with friction as of scales.
+    """The ground on which all springs lie, in a scene seen from above. Its friction depends on the
+    direction, as that of a snake's scales does.
 
     All springs of a mass bear an equal share of its weight. With the weight N on an end of a spring that
     slides at the velocity v, the force on it is -N (sideways v_n n + forward v_t t) / w, across the spring
@@ -97,7 +98,8 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         friction: 0..100, coefficient of friction.
         bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that. A
             method with a fixed step takes more of what is so fast that it is deep inside after a step.
-        restitution: of which speeds. "viscous": at 1000 px/s; slower ones keep more, and tiny ones all.
+        restitution: at which speeds `bounciness` holds. "viscous": at 1000 px/s; slower masses keep more of
+            their speed, and very slow ones all of it.
             "constant": at all speeds, by a push that is larger while a mass goes in than while it comes out
             (Walton & Braun 1986). Then what bounces comes to rest; 0.1 is the least that is distinguished.
         slip_speed: 1e-3..1e6 px/s.
@@ -168,7 +170,7 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     Attributes:
         distance: 0..1e6 px, at which contact begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
-        friction, bounciness, slip_speed, restitution: as of a `Wall`.
+        friction, bounciness, slip_speed, restitution: as in `Wall`.
         tangential_stiffness: 0..1e12 kg/s², of the tangential springs that hold what does not slide, see
             `Wall`; 0 for friction that creeps. A contact is as stiff as 2 sqrt(N stiffness) under the push N.
     """

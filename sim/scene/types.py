@@ -167,7 +167,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         wind: air that moves, or None.
         medium: a viscous medium around all springs, which the wind moves; files leave it out where there is
             none.
-        ground: ground below all springs, of a scene that is seen from above; likewise.
+        ground: ground below all springs of a scene seen from above; files leave it out where there is none.
         walls: walls, floors and slopes.
         contact: contact of bodies with each other and with themselves, or None.
         rest_length_scale: 0.01..100; multiplies every rest length.

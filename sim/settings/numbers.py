@@ -20,7 +20,7 @@ ROUNDING = 1e-9
 
 
 class Access(NamedTuple):
-    """How a number of a scene is read and written, and its range; the attributes are as of `Setting`."""
+    """How a number of a scene is read and written, and its range; the attributes are those of `Setting`."""
 
     low: float
     high: float

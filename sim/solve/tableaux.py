@@ -21,7 +21,7 @@ def explicit(rows: Sequence[Row], weights: Row, times: Row) -> Tableau:
     """The table of an explicit method of s stages.
 
     Args:
-        rows: a, s rows, of which the first is empty.
+        rows: a, s rows; the first is empty.
         weights: b.
         times: c.
     """
@@ -98,7 +98,7 @@ RODAS4 = rosenbrock(
 )
 """Hairer & Wanner 1996: order 4 with an error estimate of order 3, stiffly accurate (code RODAS)."""
 
-# Likewise for RODAS 5P.
+# The same for RODAS 5P.
 _LAST5 = (
     -7.502846399306121,
     2.561846144803919,

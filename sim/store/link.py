@@ -1,7 +1,7 @@
 """A scene as the end of a link: after the `#`, the number of the way of packing, a dot, and the packed scene.
 
-It is packed as compact JSON, by zlib, in the letters of base64 that a link may have. zlib's checksum finds a
-link of which a letter was lost or changed.
+It is packed as compact JSON, by zlib, in the letters of base64 that a link may have. zlib's checksum tells
+when a letter of the link was lost or changed.
 """
 
 from __future__ import annotations

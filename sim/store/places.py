@@ -150,7 +150,7 @@ def _item(text: str, at: int, index: int) -> int:
 
 
 def sentence_of_json(error: Exception, data: bytes, kind: Any) -> str:
-    """The sentence for JSON of which a `kind` could not be made, and for any other error its own."""
+    """The sentence for JSON that is no `kind`; for any other error, the error's own."""
     if isinstance(error, msgspec.ValidationError):
         if number := infinite_number(data):
             return f"{number[0][:40]} is too large for a number ({number[1]})"

@@ -254,6 +254,16 @@ def test_wishes_that_take_the_steepest_taper_are_found() -> None:
     assert design.factors.taper > 0.0
 
 
+def test_a_frequency_is_found_beyond_where_another_vibration_becomes_the_slowest() -> None:
+    """From the scene's own numbers a descent stops at 4.4 Hz, where the frequency jumps."""
+    scene = sim.air_balloon(masses=16, gravity=G)
+    other = by_setting("angular_stiffness")(by_setting("linear_stiffness")(scene, 4.46), 1.77)
+    frequency = frequency_of(other)
+    design = sim.set_wishes(scene, frequency=frequency)
+    assert not design.conflict
+    assert frequency_of(design.scene) == pytest.approx(frequency, rel=5e-3)
+
+
 def test_a_time_step_is_borne_in_a_run() -> None:
     scene = replace(recipe("girder"), integrator=sim.Integrator(method="symplectic_euler", dt=2e-3))
     step = 2.0 * sim.tuning(scene).stable_steps["symplectic_euler"]

@@ -161,7 +161,7 @@ class Walker(Sprung, frozen=True, kw_only=True):
 
 
 class Heart(Jointed, frozen=True, kw_only=True):
-    """A heart: a skin in its shape, filled with a gas, all of which draws together at each beat.
+    """A heart: a skin in its shape, filled with a gas. The skin contracts everywhere at each beat.
 
     Masses count clockwise on a screen whose y points down, from the notch.
 
