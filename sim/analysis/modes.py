@@ -2,8 +2,8 @@
 
 About the pose at rest r, small vibrations have angular frequencies w_i and shapes s_i with s_iᵀ M s_j = 0 for
 i ≠ j, where M is the diagonal matrix of the masses. A displacement d from r has the amplitude
-q_i = s_iᵀ M d / (s_iᵀ M s_i) of shape i, and a velocity u has the rate u_i in the same way. The vibration has the
-energy ½ (s_iᵀ M s_i) (u_i² + w_i² q_i²).
+q_i = s_iᵀ M d / (s_iᵀ M s_i) of shape i, and a velocity u has the rate u_i in the same way. The vibration
+has the energy ½ (s_iᵀ M s_i) (u_i² + w_i² q_i²).
 
 Motions of a part as a whole that nothing resists, such as those of a body that flies, are taken out first:
 displacements are measured in a frame that goes along. A part that floats has the frame that comes nearest to

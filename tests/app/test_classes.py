@@ -210,7 +210,7 @@ def test_bodies_that_wait_behind_the_zip_as_everything_ends_are_no_error(
     classroom = classes.begin(a_room().scenes)
     until_written(classroom)
     begun, made = threading.Event(), threading.Event()
-    monkeypatch.setattr(live, "pack", lambda *_: begun.set() or made.wait(10.0) and b"")
+    monkeypatch.setattr(live, "pack", lambda *_: begun.set() or (made.wait(10.0) and b""))
     classroom.pack()
     assert begun.wait(10.0)
     classroom.keep_body(classroom.room.enter(SECRETS[0]).number, b"where it is")
