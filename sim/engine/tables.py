@@ -305,6 +305,7 @@ class Progress(Record):
     farthest: float  # largest coordinate of a good state, px
     fastest: float  # largest velocity component of one, px/s
     current: bool  # the accelerations belong to the present state
+    since: int  # steps since these were last evaluated anew, as something else than a step had changed them
     status: int  # GOOD or what is wrong, see `solve.steps.guard`
     mass: int  # slot of the mass at which it was found
     steps: int  # accepted ones
@@ -370,7 +371,7 @@ class AdamsState(Record):
     """What Adams methods keep from step to step."""
 
     past: Rows  # (PAST, 2 slots) past accelerations; no rows where the method is not used
-    time: float  # of the latest row of `past`, s; negative if that is invalid
+    time: float  # of the latest row of `past`, s
     spacing: float  # the time between two rows, s
     degree: int  # of the polynomial
     target_degree: int  # the degree that it raises its degree to

@@ -81,7 +81,7 @@ def _begin(problem, drive, tolerance):
     """See `advance`."""
     integrator, method = problem.integrator, problem.adams
     run, adams = integrator.run, integrator.adams
-    if adams.time != run.time:
+    if adams.time != run.time or run.since == 0:
         _forget(integrator, method)
         first = first_step(integrator, drive, 0.01 * tolerance)
         run.step = min(run.step, first) if run.step > 0.0 else first

@@ -53,7 +53,7 @@ def ensure_acceleration(problem, drive):
         accelerate(problem, state.q, state.v, integrator.a)
         integrator.run.forces += 1
         integrator.run.current = True
-        integrator.adams.time = -1.0
+        integrator.run.since = 0
 
 
 @kernel(forceinline=True, fastmath=FAST)

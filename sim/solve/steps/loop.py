@@ -59,7 +59,9 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         control: kernel(problem, drive, old, new, h, tolerance, error, good), called after a step was judged
             and before it is kept. Returns the step to try next; see `common.step_after`.
         equal_steps: number of steps before the end that are made equally long; see `fitting_step`.
-        knows_a: whether the method uses the accelerations at `old` and computes those at `new`.
+        knows_a: whether the method uses the accelerations at `old` and computes those at `new`. Then
+            `run.since` counts the steps since something else changed the motion, and what a method keeps of
+            earlier steps is of no use while that is 0.
     """
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     run, trial, fixed = integrator.run, integrator.trial, problem.fixed
@@ -144,6 +146,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
         if broke:
             run.status, run.current = CHANGED, False
         steps += trial.count
+        run.since += trial.count
         t, is_whole = trial.end, fixed == 0.0 or trial.end == fixed_time(problem, number + trial.count)
         number += trial.count if is_whole else 0
         trial.failures = 0
