@@ -5,7 +5,9 @@ from __future__ import annotations
 import importlib.util
 import io
 import math
+from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import msgspec
@@ -19,7 +21,7 @@ from studies.bench.heap import heap
 from studies.compare import heaps, references
 from studies.compare import peers_report as report
 from studies.compare.contenders import ENGINES
-from studies.compare.engines import c_loop, lanes, softrod
+from studies.compare.engines import c_loop, jax_loops, lanes, softrod
 from studies.compare.figures import front, peers_figures
 from studies.compare.measure import Contender, Timing, against, ladder, measure
 from studies.compare.peers import bench_peers, contenders_of
@@ -145,6 +147,43 @@ def test_many_ropes_move_alike_however_they_are_computed() -> None:
     simulation = sim.Simulation(ropes(lanes.LANES)[5])
     simulation.advance(SECONDS)
     assert np.abs(ends["array"][5] - simulation.positions).max() < 0.2
+
+
+class Late:
+    """What a compiled function of JAX returns before it has computed."""
+
+    def __init__(self, value: Floats) -> None:
+        self._value, self.waited = value, 0
+
+    def block_until_ready(self) -> Late:
+        self.waited += 1
+        return self
+
+    def __array__(self, *_: object, **__: object) -> Floats:
+        return self._value
+
+
+@pytest.mark.parametrize(
+    ("module", "contenders", "shape"),
+    [
+        (jax_loops, lambda: jax_loops.jax_paths(PATHS["rope-12"].make()), (12, 2)),
+        (lanes, lambda: lanes.by_jax(ropes(lanes.LANES)), (2, 12, lanes.LANES)),
+    ],
+    ids=["a rope", "many ropes"],
+)
+def test_what_is_timed_of_jax_is_the_computing(
+    module: ModuleType, contenders: Callable[[], list[Contender]], shape: tuple[int, ...],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    late = Late(np.zeros(shape))
+    jax = SimpleNamespace(jit=lambda _: lambda *_: late, numpy=np)
+    monkeypatch.setattr(module, "jax_in_double", lambda: jax)
+    for contender in contenders():
+        runner = contender.make(next(contender.settings()))
+        runner.restart()
+        before = late.waited
+        runner.advance()
+        assert late.waited == before + 1, contender.method
 
 
 # ------------------------------------------------------------------------- measuring

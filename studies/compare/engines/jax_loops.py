@@ -106,7 +106,8 @@ class _Run(Runner):
         self._solve: Callable[[Any, Any], Any]
 
     def advance(self) -> None:
-        self._end = np.asarray(self._solve(*self._start))
+        # JAX returns before it has computed.
+        self._end = np.asarray(self._solve(*self._start).block_until_ready())
         if not np.isfinite(self._end).all():
             raise Failed("ran away")
 

@@ -264,5 +264,5 @@ class _Jax(_Lanes):
         return parts[:2], parts[2:]
 
     def advance(self) -> None:
-        found = self._run(*self._start(), self._steps, SECONDS / self._steps)
+        found = self._run(*self._start(), self._steps, SECONDS / self._steps).block_until_ready()
         self.end = np.asarray(found).transpose(2, 1, 0)
