@@ -36,6 +36,7 @@ class Driver:
         muscular = system.body.muscles.present
         self._timed = muscular or any(term.depends_on_time(system.body) for term in TERMS)
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
+        self._last: tuple[tuple[float, ...], PrescribedMotion] | None = None
 
     def drive(
         self,
@@ -48,12 +49,32 @@ class Driver:
     ) -> PrescribedMotion:
         """How masses move and keys act from one time to another.
 
+        Without targets and hands it is kept, for bodies that start from the same place again and again.
+
         Args:
             t, until: the present time, and the time at which targets are to be reached, s.
             targets: positions, px, to which masses are led in straight lines, by slot.
             growth, turn: what keys do to rest lengths and angles per second, see `PrescribedMotion`.
             motions: motions of rate-limited hands, by slot.
         """
+        state = self._state
+        if targets or motions:
+            return self._new(t, until, targets, growth, turn, motions)
+        places = [each[m] for m in self._circles for each in (state.x, state.y)]
+        key = (t, growth, turn, *state.controls.tolist(), *places)
+        if self._last is None or self._last[0] != key:
+            self._last = key, self._new(t, until, targets, growth, turn, motions)
+        return self._last[1]
+
+    def _new(
+        self,
+        t: float,
+        until: float,
+        targets: Mapping[int, tuple[float, float]],
+        growth: float,
+        turn: float,
+        motions: HandMotions,
+    ) -> PrescribedMotion:
         state, duration = self._state, max(until - t, 1e-300)
         indices = sorted({*targets, *motions, *self._circles})
         pressed = growth != 0.0 or turn != 0.0
