@@ -111,21 +111,15 @@ def of_whole_springs(resistance: Resistance, ends: Indices, broken: Floats) -> R
     return resistance.replaced(rows=rows)
 
 
-def most_resisted(resistance: Resistance, ends: Indices, length: Floats) -> Floats:
-    """(slots,) upper bounds of the derivative of the force on each mass by its velocity, kg/s.
-
-    Args:
-        resistance: the table.
-        ends: (S, 2) the slots of the masses at the ends of each spring.
-        length: (S or more,) px, of each spring.
-    """
-    total = np.zeros(int(ends.max()) + 1)
-    for first in range(0, len(resistance.rows), len(ends)):
-        part, on_a, on_b, *coefficients, slip = resistance.rows[first : first + len(ends)].T
+def _bounds(body: Body) -> tuple[Floats, Floats]:
+    """See `Term.bounds`."""
+    rows, most = body.environment.resistance.rows, np.zeros(body.masses + 1)
+    for first in range(0, len(rows), body.springs):
+        part, on_a, on_b, *coefficients, slip = rows[first : first + body.springs].T
         slope = np.max(coefficients, 0) / np.where(slip > 0.0, slip, 1.0)
-        for at, weight in zip(ends.T, (on_a, on_b), strict=True):
-            np.add.at(total, at, slope * (part * length[: len(ends)] + weight))
-    return total
+        for at, weight in ((body.spring_a, on_a), (body.spring_b, on_b)):
+            np.add.at(most, at, slope * (part * body.rest_length[: body.springs] + weight))
+    return np.zeros(body.masses), most[1:]
 
 
 @kernel(forceinline=True)
@@ -429,4 +423,5 @@ RESISTANCE = Term(
     add_power=_add_power,
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,
+    bounds=_bounds,
 )

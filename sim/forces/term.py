@@ -105,6 +105,8 @@ class Term:
         impact_time: kernel (body, state, q, v, a, h); returns the shortest time, s, in which a mass gets as
             deep into something as its speed leads. It counts what masses with accelerations a (px/s²) are
             in, or enter within h (s); infinite where there is nothing.
+        bounds: given a body's tables, (masses,) upper bounds of the row sums of minus the derivatives of its
+            forces by positions, kg/s², and by velocities, kg/s, for NumPy's stand-in of the solver.
         touches: whether it acts only on masses that are in something, such as a wall.
         sticks: whether tangential springs may hold what touches something in the term's table.
         depends_on_time: whether the force changes with time by itself, in a body.
@@ -124,6 +126,7 @@ class Term:
     add_derivatives: Kernel | None = None
     add_damping: Kernel | None = None
     impact_time: Kernel | None = None
+    bounds: Callable[[Body], tuple[Floats, Floats]] | None = None
     touches: bool = False
     sticks: Callable[[Any], bool] = lambda _table: False
     depends_on_time: Callable[[Body], bool] = lambda _body: False

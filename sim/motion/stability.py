@@ -45,7 +45,6 @@ from numpy.typing import NDArray
 from ..engine.tables import Floats, State
 from ..forces.all import TERMS
 from ..forces.reference import Physics, Vectors
-from ..forces.resistance import most_resisted
 from ..forces.term import Reference
 from ..model.stable_spring import clamp_stiffness
 from ..model.state import new_state, start_of, update_rest_state
@@ -337,29 +336,18 @@ def damped_limit(system: System, surroundings: bool = True) -> float:
 
     Args:
         system: the tables.
-        surroundings: whether contact, a medium and the ground count, too.
+        surroundings: whether what acts besides springs and joints counts, too.
     """
     body = system.body
     k = _row_sums(system, body.stiffness, body.joint_stiffness)
     c = _row_sums(system, body.damping, body.torque_damping[1 : body.joints + 1])
-    if surroundings:
-        _add_surroundings(system, k, c)
+    free = np.where(system.held, 0.0, system.inverse_mass)
+    for term in (TERMS[index] for index in body.environment.acting) if surroundings else ():
+        if term.bounds is not None:
+            stiffness, damping = term.bounds(body)
+            k, c = k + stiffness * free, c + damping * free
     with np.errstate(divide="ignore"):
         return float((2.0 / (c + np.sqrt(c * c + k))).min())
-
-
-def _add_surroundings(system: System, k: Floats, c: Floats) -> None:
-    """Add what contact, a medium and the ground do to the row sums."""
-    body = system.body
-    contact = body.environment.contact
-    if contact.present:  # of a mass that is on a spring, as deep as it can be
-        free = np.where(system.held, 0.0, system.inverse_mass)
-        k += 4.0 * contact.stiffness * contact.distance * free
-        c += 2.0 * contact.damping * contact.stiffness * contact.distance**2 * free
-    resistance = body.environment.resistance
-    if len(resistance.rows):
-        most = most_resisted(resistance, np.stack((body.spring_a, body.spring_b), 1), body.rest_length)
-        c += most[1 : body.masses + 1] * np.where(system.held, 0.0, system.inverse_mass)
 
 
 def _row_sums(system: System, of_spring: Floats, of_joint: Floats) -> Floats:

@@ -593,6 +593,13 @@ def places(x: Vectors, m: Indices, a: Indices, b: Indices, t: Floats) -> tuple[N
     return t, way.real, way.imag, abs(spring), abs(gap)
 
 
+def _bounds(body: Body) -> tuple[Floats, Floats]:
+    """See `Term.bounds`: of a mass that is on a spring, as deep as it can be."""
+    contact, each = body.environment.contact, np.ones(body.masses)
+    stiff = contact.stiffness * contact.distance
+    return 4.0 * stiff * each, 2.0 * contact.damping * stiff * contact.distance * each
+
+
 CONTACT = Term(
     "contact",
     has_contact,
@@ -607,6 +614,7 @@ CONTACT = Term(
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,
     impact_time=_impact_time,
+    bounds=_bounds,
     touches=True,
     sticks=lambda contact: contact.tangential > 0.0,
 )
