@@ -31,7 +31,7 @@ _MOTIONS = 12
 _SHORTER = 0.9
 """Ratio of successive step lengths tried until one is stable, or until one is not."""
 _SHORTEST = 0.05
-"""Smallest step tried, as a fraction of the limit from real eigenvalues."""
+"""Smallest step tried, as a fraction of the limit from real eigenvalues; the inverse bounds the largest."""
 
 
 @dataclass(frozen=True)
