@@ -160,8 +160,7 @@ class _Comparison:
         return Advice(tuple(tried), doubt, _distance(start, right))
 
     def _reference(self) -> tuple[Floats, float]:
-        """Return the final positions of the masses, (n, 2) px, and the difference between two methods
-        there."""
+        """Return the final positions of the masses, (n, 2) px, and how far two methods differ there."""
         best: tuple[Floats, float] | None = None
         for part in _TIGHT:
             tolerance = max(part * min(self._errors), 1e-11)
@@ -194,8 +193,7 @@ class _Comparison:
                 return
 
     def _settings(self, method: str) -> Iterator[float]:
-        """Yield tolerances from the largest error down, half a decade apart; or steps a factor sqrt(2)
-        apart."""
+        """Yield tolerances from the largest error down, by half decades; or steps a factor sqrt(2) apart."""
         if METHODS[method].adaptive:
             for half_decades in range(13):
                 yield float(f"{max(self._errors) * 10.0 ** (-half_decades / 2):.2g}")

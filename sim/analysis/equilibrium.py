@@ -106,8 +106,7 @@ def equilibrium(scene: Scene) -> Pose:
 
 
 def loaded_equilibrium(scene: Scene) -> tuple[Pose, list[str]]:
-    """Find the `equilibrium` and whatever would break or yield in it, in one sentence for each kind of
-    failure."""
+    """Find the `equilibrium` and describe what would break or yield in it, one sentence per kind."""
     body = StaticModel(scene, balanced=True)
     body.refuse_falling()
     q = _continuation(body)
@@ -158,8 +157,7 @@ class StaticModel:
         return new_matrix(self.tables, self.system.held)
 
     def _stiffness_at_masses(self) -> Floats:
-        """Return the (n,) sums of the stiffnesses of all springs and joints at each mass, kg/s²; never
-        zero."""
+        """Return (n,) the sum of the stiffnesses at each mass, kg/s²; never zero."""
         body = self.tables
         own = body.stiffness[: body.springs].copy()
         for joints in (body.joint_a, body.joint_b):
@@ -338,8 +336,7 @@ class StaticModel:
         return bound + self._rounding_around(q) if self.surrounded else bound
 
     def _rounding_around(self, q: Floats) -> Floats:
-        """Return the addition to `rounding` for surroundings, found by trial with much larger coordinate
-        errors."""
+        """Return the rounding errors added by surroundings, found by trial with much larger errors."""
         size = _EPSILON * float(np.abs(q).max())
         signs = np.random.default_rng(2).choice((-1.0, 1.0), (_TRIALS, q.size))
         here = self.accelerations(q)

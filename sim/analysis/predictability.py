@@ -40,8 +40,7 @@ _MIN_PER_CALL = 1e-3
 """Smallest factor by which a separation can change in a call; smaller ones may be rounding."""
 
 _SWING = 0.5
-"""Length of the window, s, whose largest separation counts, since a separation sometimes passes through
-zero."""
+"""Length of the window, s, whose largest separation counts, since a separation may pass through zero."""
 _SAMPLE = 1.0 / 60.0
 """Time between two samples, s."""
 _LONGEST_RUN = 1e4
@@ -333,8 +332,7 @@ def _farthest(hair: NDArray[np.float64]) -> float:
 
 
 def _slope(times: NDArray[np.float64], levels: NDArray[np.float64]) -> float:
-    """Return the slope of the largest levels within each `_SWING`, after the first quarter of the time,
-    1/s."""
+    """Return the slope of the largest levels within each `_SWING`, after a quarter of the time, 1/s."""
     first = np.searchsorted(times, times - _SWING)
     largest = np.array([levels[i : k + 1].max() for k, i in enumerate(first)])
     late = times >= 0.25 * times[-1]

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 
 _RIPPLE = 0.03
-"""Fraction of the curve's range by which it must turn back after an extreme; smaller reversals are
-ripples."""
+"""Fraction of the curve's range by which it must turn back after an extreme that is not a ripple."""
 
 _REGULAR = 0.25
 """Largest relative deviation of a cycle from the median one in a regular oscillation."""

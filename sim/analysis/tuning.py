@@ -258,8 +258,7 @@ class Dampers:
         return power / (2.0 * omega * float((self._mass * shape**2).sum()))
 
     def drag(self, shape: Floats, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
-        """Return the (n, 2) forces opposing the velocities `shape`, kg/s times these; arguments as in
-        `ratio`."""
+        """Return (n, 2) forces opposing the velocities `shape`, kg/s times these; arguments as in `ratio`."""
         system, state, physics = self._system, self._state, self._physics
         body = system.body
         springs, joints = (

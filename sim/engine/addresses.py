@@ -23,8 +23,7 @@ def address_of(kernel: Any, signature: Any) -> int:
 
 
 def calls(signature: Any) -> Any:
-    """Return a function for kernels that calls a kernel with a signature: (its address, its arguments
-    ...)."""
+    """Return a function for kernels that calls a kernel: (its address, its arguments ...)."""
 
     def call(_context: Any, _address: Any, *_arguments: Any) -> Any:
         return signature.return_type(types.int64, *signature.args), generate

@@ -52,8 +52,7 @@ _KEPT_DAYS = 30
 
 
 def _modules_behind(name: str) -> set[str]:
-    """Return a kernel module, such as `forces.chain`, and all kernel modules that it imports, even
-    indirectly."""
+    """Return a kernel module, such as `forces.chain`, and all kernel modules that it depends on."""
     found: set[str] = set()
     # The layout of the tables is part of every kernel's machine code, even where it is not imported.
     waiting = [name, "engine.jit", "engine.table", "engine.tables"]

@@ -86,8 +86,7 @@ class Layout(Generic[_Made]):
                     self._of_arrays[at] = 1
 
     def _add(self, table: Any, words: list[int], known: dict[int, int]) -> int:
-        """Add a table and those in it, and return its number; `known` maps addresses to the numbers of
-        tables."""
+        """Add a table and those in it, and return its number; `known` maps addresses to table numbers."""
         if table.address() in known:
             return known[table.address()]
         same: dict[str, Any] = {}

@@ -171,8 +171,7 @@ class _Block:
 
     @classmethod
     def empty(cls) -> Self:
-        """Return a table whose arrays are empty and whose numbers are zero, and the same for nested
-        tables."""
+        """Return a table with empty arrays and zero numbers, and the same for nested tables."""
 
         def nothing(field: _Field) -> Any:
             if field.dtype is not None:
@@ -182,8 +181,7 @@ class _Block:
         return cls(**{name: nothing(field) for name, field in cls.fields.items()})
 
     def read_only(self) -> Self:
-        """Make the arrays of the table and its nested tables read-only, except for `changing`, and return
-        it."""
+        """Make all arrays read-only, nested tables included, except for `changing`; return the table."""
         known = self.__dict__
         if "_is_read_only" not in known:
             for name, field in self.fields.items():

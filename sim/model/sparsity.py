@@ -23,8 +23,7 @@ _KEPT = 4
 
 
 class Pattern(NamedTuple):
-    """The part of a `Matrix` that depends only on the connections and on which masses are held; fields as
-    there."""
+    """The part of a `Matrix` that depends only on connections and held masses; fields as there."""
 
     walk: Indices
     parent: Indices
@@ -71,8 +70,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
 
 @lru_cache(maxsize=_KEPT)
 def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
-    """Return the pattern of a body with n masses; `room` is the size of `parent`, `tables` are its
-    connections."""
+    """Return the pattern for n masses; `room` is the size of `parent`, `tables` are the connections."""
     a, b, ja, jb, loop, start, held = (np.frombuffer(table, np.int64) for table in tables)
     ends = np.array([b, a]).T - 1  # (S, 2)
     spring_pairs = _pairs(ends, ends)
@@ -120,8 +118,7 @@ def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
 
 
 def _pairs(rows: Indices, columns: Indices) -> Indices:
-    """Return the (k, 4, 2) (row, column) of each combination of ends: first with first, first with second,
-    ..."""
+    """Return (k, 4, 2) the (row, column) of each combination of ends: first with first, then second, ..."""
     return np.stack([np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1).astype(
         np.int64
     )

@@ -105,8 +105,7 @@ def rest_lengths(body: Body, state: State) -> Floats:
 
 
 def rest_angles(body: Body, state: State) -> Floats:
-    """Return the (J,) current rest angle of each joint of the tables, degrees in (-180, 180], in the same
-    way."""
+    """Return the (J,) current rest angle of each joint, degrees in (-180, 180], in the same way."""
     angle = body.joint_rest + state.controls[CONTROL_SHIFT]
     if body.limits.present:
         angle = angle + state.set_angle
@@ -116,8 +115,7 @@ def rest_angles(body: Body, state: State) -> Floats:
 
 
 def update_rest_state(body: Body, state: State) -> None:
-    """Update everything that depends on the scale of rest lengths, the shift of rest angles, and the
-    clock."""
+    """Update what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
     if not body.joints:
@@ -196,7 +194,7 @@ class Carried(NamedTuple):
     Attributes:
         rows: (4, n) x, y (px), vx and vy (px/s) of the masses.
         damage: everything that has yielded or broken, or None.
-        grips: the tangential springs of gripping friction, or None.
+        grips: the tangential springs of sticking friction, or None.
     """
 
     rows: Floats

@@ -148,8 +148,7 @@ def damage_of(scene: Scene) -> Damage | None:
 
 
 def same_topology(old: Scene, new: Scene) -> bool:
-    """Return whether springs and angular springs have the same connections in both, so that a state fits
-    both."""
+    """Return whether springs and joints have the same connections in both, so that a state fits both."""
     return (
         len(old.masses) == len(new.masses)
         and [(s.a, s.b) for s in old.linear_springs] == [(s.a, s.b) for s in new.linear_springs]

@@ -20,8 +20,7 @@ MOST = 12
 """Number of tuples of parts whose arrays are cached: several versions of a body, or several bodies."""
 
 LONG = 100
-"""Number of parts from which cached arrays are searched for common parts; shorter ones are rebuilt as
-quickly."""
+"""Number of parts from which cached arrays are reused; for fewer, rebuilding is as fast."""
 
 Parts = tuple[Any, ...]
 _Arrays = dict[tuple[str, type], NDArray[Any]]

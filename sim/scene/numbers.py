@@ -30,8 +30,7 @@ def bounded(
     slider: tuple[float, float] | None = None,
     logarithmic: bool = False,
 ) -> Meta:
-    """Return the annotation of a number: its range, unit, description, and the range of its slider, if
-    any."""
+    """Return the annotation of a number: its range, unit, description, and slider range, if any."""
     return Meta(
         ge=low,
         le=high,

@@ -96,8 +96,8 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         normal: any vector but zero, from the surface to the free side.
         hardness: 1e-3..1e9 1/(px s²), the acceleration at a depth of 1 px.
         friction: 0..100, coefficient of friction.
-        bounciness: 0..1; the speed of a mass after a bounce, as a fraction of that before. Fixed-step methods
-            take more from masses so fast that they are deep inside after a step.
+        bounciness: 0..1; the speed of a mass after a bounce, as a fraction of that before. A fixed-step
+            method takes more from a mass so fast that it is deep inside after a step.
         restitution: the speeds at which `bounciness` is exact. "viscous": at 1000 px/s; slower masses keep
             more of their speed, and very slow ones all of it. "constant": at all speeds, by a force that is
             larger while a mass goes in than while it comes out (Walton & Braun 1986). Bouncing masses then

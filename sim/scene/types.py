@@ -138,7 +138,7 @@ class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         positions: one per mass, px.
         velocities: one per mass, px/s.
         damage: everything that has yielded or broken, or None.
-        grips: the tangential springs of gripping friction, or None.
+        grips: the tangential springs of sticking friction, or None.
     """
 
     positions: tuple[Vector, ...]
@@ -171,7 +171,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         walls: walls, floors and slopes.
         contact: contact of bodies with each other and with themselves, or None.
         rest_length_scale: 0.01..100; multiplies every rest length.
-        beat: the common beat of all muscles; without it, which files omit, they rest.
+        beat: the common beat of all muscles, which rest without one; omitted in files if there is none.
         template: one of the tutorial's eight rest angles for every joint, or None. The angular springs must
             then have that rest angle. The diagonal templates are sqrt(2) times as stiff as the general law.
         force_law: the force law of the angular springs, see `AngularSpring`.

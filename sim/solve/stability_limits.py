@@ -24,8 +24,7 @@ undamped motions grow very slowly at any step."""
 _GROWS = 1.001
 """Modulus of an eigenvalue of a step above which the step is unstable."""
 _NEAR = 2e-3
-"""Relative distance from the limit at which the eigenvalues are checked, and accuracy to which it is
-found."""
+"""Relative accuracy of the limit, and distance from it at which the eigenvalues are checked."""
 _MOTIONS = 12
 """Number of motions considered, fastest first, where the eigenvalues of the whole step decide."""
 _SHORTER = 0.9
@@ -111,8 +110,7 @@ def euler_step(k: Floats, c: Floats) -> Floats:
 
 
 def verlet_step(k: Floats, c: Floats) -> Floats:
-    """Return the matrix of a step of velocity Verlet on (x, dt v, dt² a), from dt² k and dt c: a is for v +
-    dt a."""
+    """Return the matrix of a step of velocity Verlet on (x, dt v, dt² a): a is for v + dt a."""
     eye, zero = np.eye(len(k)), np.zeros_like(k)
     place = np.hstack([eye, eye, 0.5 * eye])
     force = -k @ place - c @ np.hstack([zero, eye, eye])

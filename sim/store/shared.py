@@ -23,8 +23,7 @@ SHORTEST = 4
 """Number of letters of a code, unless two scenes would share it."""
 
 MAX_KEPT = 1000
-"""Maximum number of scenes; beyond that, the one neither shared nor opened for the longest time is
-deleted."""
+"""Maximum number of scenes; the one not shared or opened for the longest time is deleted first."""
 
 MAX_BYTES = 500_000
 """Maximum size of a scene's file, bytes; larger ones are sent as files."""

@@ -32,8 +32,7 @@ def inverse_of(x, y, softening):
 
 @kernel(forceinline=True, fastmath=FAST)
 def deflection(cross, dot, rest):
-    """Return angle minus rest angle, wrapped into [-pi, pi]; cross and dot are the products of the
-    springs."""
+    """Return angle minus rest angle, wrapped into [-pi, pi], from the products of the springs."""
     off = angle_of(dot, cross) - rest
     off = off - 2.0 * math.pi if off > math.pi else off
     return off + 2.0 * math.pi if off < -math.pi else off

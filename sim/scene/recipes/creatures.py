@@ -221,8 +221,7 @@ class Heart(Jointed, frozen=True, kw_only=True):
 
 
 def _heart(part: float) -> Vector:
-    """Return a point on the outline of a heart of half width 1, at a fraction of the way round from the
-    notch."""
+    """Return a point on the outline of a heart of half width 1, at a fraction of the way round."""
     t = math.tau * part
     x = math.sin(t) ** 3
     y = -(13.0 * math.cos(t) - 4.0 * math.cos(2.0 * t) - 2.0 * math.cos(3.0 * t) - math.cos(4.0 * t)) / 16.0

@@ -13,8 +13,7 @@ from ...engine.jit import FAST, kernel
 from ...engine.numerics.vectors import from_to, length_of
 
 MEAN = 0
-"""Row of a damper's mean rate over a step, px/s or 1/s; in this and the rows below, springs precede
-joints."""
+"""Row of a damper's mean rate over a step, px/s or 1/s; in all rows, springs precede joints."""
 STRENGTH = 1
 """Row of a damper's mean strength, kg/s or kg px²/s."""
 POWER = 2
