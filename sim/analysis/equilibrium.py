@@ -74,7 +74,7 @@ def equilibrium(scene: Scene) -> Pose:
 
     The algorithm is pseudo-transient continuation (Kelley & Keyes 1998): steps of implicit Euler, each from
     rest, which grow longer and finally become Newton's method. Each step is solved by Newton's iterations
-    with the analytic Jacobian, of which the first is the linearly implicit step. Their rate of convergence
+    with the analytic Jacobian; the first one is the linearly implicit step. Their rate of convergence
     determines the length of the next step. No energy is needed, so this works for every force law. A step may
     not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no step
     converges, the positive definite matrix and a line search are used.

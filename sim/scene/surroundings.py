@@ -163,7 +163,7 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     stiffness d² (1 + c s) at the depth d, as by a wall; the opposite force is divided between the spring's
     two masses, more to the nearer one. A mass with the kinetic energy stiffness distance³ / 3 passes through.
 
-    A mass never touches springs of which it is an end, nor springs of its own body (all that springs connect)
+    A mass never touches springs attached to it, nor springs of its own body (masses connected by springs)
     that are nearer than 1.25 times the distance in the scene's initial positions. Masses without springs do
     not touch each other.
 
