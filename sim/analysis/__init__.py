@@ -1,1 +1,1 @@
-"""Analyses of a body: its equilibrium, its vibrations, and runs of many bodies."""
+"""Analyses of a body: equilibrium, vibrations, decay, predictability and comparison of methods."""

@@ -1,7 +1,7 @@
-"""Which integration method suits a scene: all are tried, from coarse steps or tolerances to fine ones.
+"""Recommendation of an integration method for a scene: all are tried, from coarse to fine settings.
 
-The error of a run is how far a mass ends at most from where it ends by two methods of very different kinds at
-a tight tolerance. Its cost is the least computing time of several runs.
+The error of a run is the largest distance of a mass's final position from a reference. Two methods of very
+different kinds at a tight tolerance give references. The cost is the least computing time of several runs.
 """
 
 from __future__ import annotations
@@ -23,40 +23,40 @@ from ..scene.validate import validate
 from ..solve.registry import METHODS
 
 ERRORS = (1.0, 0.1)
-"""Errors for which a method is named unless others are asked for, px."""
+"""Default errors for which a method is recommended, px."""
 
 SECONDS = 1.0
-"""Simulated time of a run, s."""
+"""Simulated duration of a run, s."""
 
 FRAME = 1.0 / 60.0
-"""The longest time step that is tried, s; the others are parts of it."""
+"""Longest time step tried, s; the others are fractions of it."""
 
 AS_FAST = 1.1
-"""Ratio of computing times up to which one method is as fast as another."""
+"""Ratio of computing times up to which two methods count as equally fast."""
 
 _REFERENCES = "adams", "rodas5p"
 _TIGHT = (1e-3, 1e-6)
-"""Tolerances of the references, as parts of the smallest error; the tighter one only where it takes that."""
+"""Tolerances of the references, relative to the smallest error; the tighter one is used only if needed."""
 _SURE = 0.3
-"""Part of an error up to which the references may be apart."""
+"""Largest difference between the references, relative to an error."""
 _LONGEST = 0.2
-"""Seconds of computing of a run beyond which no finer setting of its method is tried."""
+"""Computing time of a run, s, beyond which no finer setting of its method is tried."""
 _PATIENCE = 3.0
-"""Seconds of computing after which a run is given up; a reference has ten times as long."""
+"""Computing time, s, after which a run is given up; a reference may take ten times as long."""
 _AT_ONCE = 2000
-"""Time steps, or steps that are tried, between two looks at the clock."""
+"""Number of time steps, or attempted steps, between two checks of the clock."""
 _ROUNDS = 5
-"""How often those that may be the best are timed again, by turns."""
+"""Number of rounds in which the best candidates are timed again, alternating between them."""
 
 
 class Tried(NamedTuple):
-    """What came of one setting of one method.
+    """The result of one setting of one method.
 
     Attributes:
         method: its name.
         value: the time step, s, or the tolerance, px.
         error: largest position error of a mass at the end, px; infinite where the run failed.
-        seconds: of computing.
+        seconds: computing time.
     """
 
     method: str
@@ -67,12 +67,12 @@ class Tried(NamedTuple):
 
 @dataclass(frozen=True)
 class Advice:
-    """How the methods do on one scene.
+    """The performance of the methods on one scene.
 
     Attributes:
         tried: the settings that were tried.
-        doubt: how far the two references end apart, px: no smaller error can be told.
-        moved: how far a mass comes at most, px, from the start to the end.
+        doubt: largest final distance between the two references, px; smaller errors cannot be resolved.
+        moved: largest displacement of a mass from start to end, px.
     """
 
     tried: tuple[Tried, ...]
@@ -80,7 +80,7 @@ class Advice:
     moved: float
 
     def front(self, method: str) -> list[Tried]:
-        """The settings of a method that none of its others beats in error and time, the fastest first."""
+        """Return the settings of a method that are not dominated in both error and time, fastest first."""
         kept: list[Tried] = []
         for one in sorted(
             (one for one in self.tried if one.method == method), key=lambda t: (t.seconds, t.error)
@@ -90,7 +90,7 @@ class Advice:
         return kept
 
     def sentence(self, error: float) -> str:
-        """Which method ends within an error, px, at the least cost, and what the next best one costs."""
+        """Name the cheapest method for an error, px, and the cost of the next best."""
         if self.moved <= error:
             return f"To {error:g} px nothing can be told: the body ends less than that from its start."
         if self.doubt > _SURE * error:
@@ -102,8 +102,8 @@ class Advice:
 
 
 def recommended(tried: Iterable[Tried], error: float) -> str:
-    """What to take of what was tried to end within an error, px, and what the next best method costs."""
-    # Where a tolerance is above the error, that it does is luck.
+    """Name the cheapest setting tried for an error, px, and the cost of the next best method."""
+    # If a tolerance exceeds the error, meeting the error is luck.
     lucky = (one for one in tried if METHODS[one.method].adaptive and one.value > error)
     good = sorted({one for one in tried if one.error <= error} - {*lucky}, key=lambda one: one.seconds)
     if not good:
@@ -119,7 +119,7 @@ def recommended(tried: Iterable[Tried], error: float) -> str:
 
 
 def _setting(one: Tried) -> str:
-    """A method and its tolerance or its time step, in words."""
+    """Describe a method and its tolerance or time step."""
     method = METHODS[one.method]
     value = f"{one.value:g} px" if method.adaptive else f"{1e3 * one.value:.3g} ms"
     return f"{method.label} at {value}"
@@ -128,16 +128,16 @@ def _setting(one: Tried) -> str:
 def compare_methods(scene: Scene, errors: tuple[float, ...] = ERRORS, wait: bool = True) -> Advice:
     """Try all methods on the first second of a scene.
 
-    It takes some seconds, in which the processor should have little else to do.
+    This takes several seconds, during which the processor should have little else to do.
 
     Args:
         scene: a valid scene.
-        errors: those of interest, px.
+        errors: the errors of interest, px.
         wait: whether to wait for methods to be compiled; otherwise those that are not are left out.
 
     Raises:
-        InputError: an error is not above zero, no method comes to the end of a second, or those that it is
-            held against are not compiled.
+        InputError: an error is not positive, no method completes a second, or the reference methods are not
+            compiled.
     """
     scene = validate(scene)
     if not errors or not all(0.0 < error < math.inf for error in errors):
@@ -151,7 +151,7 @@ class _Comparison:
         self._runs: dict[tuple[str, float], Simulation] = {}
 
     def advice(self) -> Advice:
-        """All of it."""
+        """Run the whole comparison."""
         right, doubt = self._reference()
         start = self._simulation("auto", 1.0).positions
         tried = [one for method in METHODS for one in self._explore(method, right)]
@@ -160,7 +160,7 @@ class _Comparison:
         return Advice(tuple(tried), doubt, _distance(start, right))
 
     def _reference(self) -> tuple[Floats, float]:
-        """Where the masses end, (n, 2) px, and how far two methods are apart there."""
+        """Return the final positions of the masses, (n, 2) px, and how far two methods differ there."""
         best: tuple[Floats, float] | None = None
         for part in _TIGHT:
             tolerance = max(part * min(self._errors), 1e-11)
@@ -178,14 +178,14 @@ class _Comparison:
         return best
 
     def _explore(self, method: str, right: Floats) -> Iterator[Tried]:
-        """Try a method's settings, until it is near enough or takes too long."""
+        """Try a method's settings until it is accurate enough or takes too long."""
         for value in self._settings(method):
             simulation = self._simulation(method, value)
             if simulation.plain:
                 return
             seconds = _run(simulation, _PATIENCE)
             if seconds < _LONGEST:
-                seconds = _run(simulation, _PATIENCE)  # the first run finds nothing in the caches
+                seconds = _run(simulation, _PATIENCE)  # the first run starts with cold caches
             error = _distance(simulation.positions, right) if seconds < math.inf else math.inf
             self._runs[method, value] = simulation
             yield Tried(method, value, error, seconds)
@@ -193,7 +193,7 @@ class _Comparison:
                 return
 
     def _settings(self, method: str) -> Iterator[float]:
-        """Tolerances from the largest error on, half a decade apart; or steps, a factor of sqrt(2) apart."""
+        """Yield tolerances from the largest error down, by half decades; or steps a factor sqrt(2) apart."""
         if METHODS[method].adaptive:
             for half_decades in range(13):
                 yield float(f"{max(self._errors) * 10.0 ** (-half_decades / 2):.2g}")
@@ -211,7 +211,7 @@ class _Comparison:
         return Simulation(msgspec.structs.replace(self._scene, integrator=integrator), wait=self._wait)
 
     def _may_be_best(self, one: Tried, tried: list[Tried]) -> bool:
-        """Whether it is the cheapest of its method for an error."""
+        """Return whether it is the cheapest of its method for one of the errors."""
         return any(
             one
             == min(
@@ -228,7 +228,7 @@ class _Comparison:
 
 
 def _run(simulation: Simulation, patience: float) -> float:
-    """Let a body run from its start; returns the seconds that it took, infinity where it did not arrive."""
+    """Run a body from its start; return the computing time, s, or infinity if it did not reach the end."""
     simulation.reset()
     left, seconds = round(SECONDS / simulation.dt), 0.0
     while left > 0:
@@ -241,5 +241,5 @@ def _run(simulation: Simulation, patience: float) -> float:
 
 
 def _distance(one: Floats, other: Floats) -> float:
-    """The largest distance between two positions of a mass, px."""
+    """Return the largest distance between two positions of a mass, px."""
     return float(np.sqrt(((one - other) ** 2).sum(-1)).max())

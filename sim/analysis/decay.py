@@ -1,14 +1,14 @@
-"""How fast damping takes a vibration away, where it couples it with others.
+"""The decay of vibrations that damping may couple with each other.
 
-With shapes w_i of unit modal mass the small motions of a damped body are q'' + C q' + Ω² q = 0, where C is
-the damping between each two vibrations. Only where C is diagonal does a vibration keep its shape as it fades.
-So the rate is that of its energy: the body at rest is struck so that it moves in the shape w_i, and
+With shapes w_i of unit modal mass, the small motions of a damped body are q'' + C q' + Ω² q = 0, where C is
+the modal damping matrix. Only where C is diagonal does a vibration keep its shape as it decays. The decay
+rate is therefore defined by the energy: the body at rest is struck so that it moves in the shape w_i, and
 
     r = 1 / (2 ∫ E(t) / E(0) dt),
 
-where E is the energy of all vibrations. Of a vibration that nothing couples with others this is c / 2, for
-any damping c, also above the critical one: it is the rate of exp(-r t). With y = (Ω q, q'), E is |y|² / 2,
-and the integral is the trace of the solution X of the Lyapunov equation A X + X Aᵀ = -y(0) y(0)ᵀ.
+where E is the energy of all vibrations. For an uncoupled vibration this is c / 2, for any damping c,
+including supercritical damping: it is the rate of exp(-r t). With y = (Ω q, q'), E is |y|² / 2, and the
+integral is the trace of the solution X of the Lyapunov equation A X + X Aᵀ = -y(0) y(0)ᵀ.
 """
 
 from __future__ import annotations
@@ -22,25 +22,24 @@ from ..engine.tables import Floats
 from .vibrations import Vibrations
 
 TENTH = math.log(10.0)
-"""Times the decay rate of an amplitude, how long it takes to fall to a tenth."""
+"""Time for an amplitude to fall to a tenth, times its decay rate."""
 
 COUPLED = 60
-"""How many vibrations, those of the nearest frequencies, are taken to be coupled with one."""
+"""Number of vibrations, those nearest in frequency, that are assumed to be coupled with one."""
 
 _COUPLES = 1e-6
-"""Damping between two vibrations, as a part of that of one of them, up to which they are not coupled."""
+"""Damping between two vibrations, relative to that of one of them, up to which they count as uncoupled."""
 
 _SLOWLY = 1e-4
-"""Rate by which everything fades in the integral, as a part of that of the vibration by itself: what other
-vibrations that nothing damps keep of its energy does not count, as long as it is less than about this
-part."""
+"""Decay rate added to everything in the integral, relative to that of the vibration by itself. It discards
+energy that remains in other, undamped vibrations, as long as it is less than about this fraction."""
 
 
 class Drag(Protocol):
-    """What damps small vibrations, such as `tuning.Dampers`."""
+    """Whatever damps small vibrations, such as `tuning.Dampers`."""
 
     def drag(self, shape: Floats, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
-        """(n, 2) the damping forces against the velocities `shape`, kg/s times these.
+        """Return the (n, 2) damping forces opposing the velocities `shape`, kg/s times these.
 
         Args:
             shape: (n, 2) velocities, of any scale.
@@ -50,11 +49,11 @@ class Drag(Protocol):
 
 
 class Decay:
-    """How the vibrations of a body fade.
+    """The decay of a body's vibrations.
 
     Args:
-        dampers: what damps them.
-        found: vibrations, about the same pose.
+        dampers: the dampers.
+        found: vibrations about the same pose.
         masses: (n,) kg.
 
     Attributes:
@@ -69,16 +68,16 @@ class Decay:
         self._dampers = dampers
 
     def between(self, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
-        """(k, k) the damping between each two vibrations, 1/s; arguments as for `Drag.drag`."""
+        """Return the (k, k) damping between each two vibrations, 1/s; arguments as for `Drag.drag`."""
         drags = np.array([self._dampers.drag(shape, springs, joints) for shape in self.shapes])
         return np.einsum("iab,jab->ij", self.shapes, drags)
 
     def rate(self, damping: Floats, index: int) -> float:
-        """1/s, at which the amplitude of a vibration falls; 0 where nothing damps it.
+        """Return the rate, 1/s, at which a vibration's amplitude decays; 0 where it is undamped.
 
         Args:
-            damping: (k, k) as `between` gives it.
-            index: which vibration.
+            damping: (k, k) as from `between`.
+            index: index of the vibration.
         """
         from scipy.linalg import solve_continuous_lyapunov
 
@@ -100,6 +99,6 @@ class Decay:
         return max(0.5 / lifetime - slowly, 0.0) if lifetime > 0.0 else alone
 
     def rates(self, springs: Floats, joints: Floats) -> Floats:
-        """(k,) those of all vibrations, 1/s; arguments as for `Drag.drag`."""
+        """Return the (k,) decay rates of all vibrations, 1/s; arguments as for `Drag.drag`."""
         damping = self.between(springs, joints)
         return np.array([self.rate(damping, i) for i in range(self.omega.size)])

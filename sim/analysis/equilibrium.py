@@ -1,4 +1,4 @@
-"""The equilibrium of a body, in which its forces balance."""
+"""The static equilibrium of a body."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ from ..solve.linear.implicit import factorise_matrix, solve_matrix
 _MAX_STEPS = 3000
 """Largest number of steps."""
 _STUCK = 1000
-"""Steps after which another start is tried."""
+"""Number of steps after which another start is tried."""
 _MAX_ROTATION = 0.5
-"""Largest relative movement of a spring's ends in a step, as a fraction of its length."""
+"""Largest relative displacement of a spring's ends in a step, as a fraction of its length."""
 _CONTRACTION = 0.5
 """Largest size of each iteration of a step relative to the one before."""
 _ITERATIONS = 6
@@ -39,7 +39,7 @@ _ITERATIONS = 6
 _SETTLED = 0.02
 """Size of an iteration, relative to the first, at which a step has converged."""
 _PRECISION = 1e-12
-"""Size of a step, in typical lengths of a spring, at which the search ends."""
+"""Size of a step, in typical spring lengths, at which the search ends."""
 _LOWEST = 1e-15
 """Smallest shift that is tried, 1/s²."""
 NEUTRAL = 1e-13
@@ -48,58 +48,56 @@ rounding."""
 NEUTRAL_FREE = 1e-9
 """The same for a body that is free to move as a whole."""
 _CLOSE = 1e-5
-"""Size of a step, in typical lengths of a spring, at which the forces balance; if the balance is not stable,
-the body is nudged."""
+"""Size of a step, in typical spring lengths, at which the forces balance; if the balance is unstable, the
+body is nudged."""
 _NUDGE = 1e-3
-"""Size of a nudge, in typical lengths of a spring."""
+"""Size of a nudge, in typical spring lengths."""
 _NUDGES = 5
 """Largest number of nudges."""
 _HALVINGS = 60
 """Largest number of halvings in a line search."""
 _OVER = 1e-6
-"""Load beyond what a part bears, as a fraction of it, that is more than rounding."""
+"""Relative overload of a part that cannot be due to rounding."""
 _EPSILON = 4.0 * float(np.finfo(float).eps)
-"""Relative rounding error that is allowed for."""
+"""Assumed relative rounding error."""
 _TRIALS = 4
-"""Number of trials for the rounding errors of surroundings."""
+"""Number of trials for the rounding errors of the surroundings."""
 _MAGNIFIED = 1e3
 """Errors of coordinates in a trial, relative to rounding errors."""
 
 
 def equilibrium(scene: Scene) -> Pose:
-    """The pose at rest that a scene would creep into if everything were damped heavily.
+    """Find the pose at rest that a scene would creep into if everything were heavily damped.
 
-    It starts from the scene's pose, or from the masses' own positions. Held masses stay there, including
-    those on circles. The springs are those of the scene, whatever its method.
+    The search starts from the scene's pose, or from the masses' own positions. Held masses stay there,
+    including those on circles. The springs are those of the scene, whatever its method.
 
-    This is pseudo-transient continuation (Kelley & Keyes 1998): steps of implicit Euler, each from rest,
-    which become longer and longer and end as Newton's method. The end of a step is found by Newton's
-    iterations with the analytic Jacobian; the first of them is the linearly implicit step. Their rate of
-    convergence determines the length of the next step. This needs no energy, so it works for every force law.
-    A step may not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no
-    step converges, a step is taken with the positive definite matrix and a line search.
+    The algorithm is pseudo-transient continuation (Kelley & Keyes 1998): steps of implicit Euler, each from
+    rest, which grow longer and finally become Newton's method. Each step is solved by Newton's iterations
+    with the analytic Jacobian; the first one is the linearly implicit step. Their rate of convergence
+    determines the length of the next step. No energy is needed, so this works for every force law. A step may
+    not be so long that the matrix is indefinite, so the body leaves an unstable balance. Where no step
+    converges, the positive definite matrix and a line search are used.
 
-    What is broken or has yielded in the scene's pose stays so, and nothing else breaks or yields. If a part
-    would, because it bears more than its strength, yield force or yield torque, a `UserWarning` says which.
+    Whatever is broken or has yielded in the scene's pose stays so, and nothing else breaks or yields. If a
+    part would, because its load exceeds its strength, yield force or yield torque, a `UserWarning` names it.
 
-    The wind is the mean wind, without gusts. Friction holds what touches something where it has tangential
-    springs, see `Wall`, from where it touches at the end of a step; other friction creeps, and holds nothing
-    that is at rest. Whether a balance is stable is judged without what couples masses and springs that touch.
+    The wind is the mean wind, without gusts. Friction with tangential springs, see `Wall`, supports whatever
+    touches something, from the point of contact at the end of a step; other friction creeps and cannot
+    support anything at rest. Stability is judged without the coupling between touching masses and springs.
 
     Args:
-        scene: a valid scene. If no spring forces can balance gravity and constant forces, there is none.
+        scene: a valid scene. There is no equilibrium if spring forces cannot balance gravity and constant
+            forces.
 
     Returns:
-        Positions in px, velocities of zero, the damage of the scene's pose, and the grips by which friction
-        holds.
-        Positions are as accurate as rounding and the softness of the
-        body permit: usually within 1e-9 of a spring's length, less for long bodies with springs more than 1e5
-        times as stiff as their joints.
+        Positions in px, zero velocities, the damage of the scene's pose, and the grips of friction. Positions
+        are as accurate as rounding and the softness of the body permit: usually within 1e-9 of a spring's
+        length, less for long bodies with springs more than 1e5 times as stiff as their joints.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: nothing holds a part of the body that something pulls, or the steps do not end in a
-            balance.
+        InputError: a loaded part of the body is unsupported, or the steps do not end in a balance.
     """
     pose, overloads = loaded_equilibrium(scene)
     for sentence in overloads:
@@ -108,7 +106,7 @@ def equilibrium(scene: Scene) -> Pose:
 
 
 def loaded_equilibrium(scene: Scene) -> tuple[Pose, list[str]]:
-    """As `equilibrium`, with what would break or yield in that pose, in a sentence for each way."""
+    """Find the `equilibrium` and describe what would break or yield in it, one sentence per kind."""
     body = StaticModel(scene, balanced=True)
     body.refuse_falling()
     q = _continuation(body)
@@ -117,15 +115,15 @@ def loaded_equilibrium(scene: Scene) -> tuple[Pose, list[str]]:
 
 
 class StaticModel:
-    """The tables of a scene's body, and linear systems with the Jacobian of its accelerations.
+    """The tables of a scene's body, with solvers for the Jacobian of its accelerations.
 
     Vectors are flat: x of every slot, then y of every slot.
 
     Args:
         scene: the scene.
-        balanced: whether each mass (in kg) is replaced by the stiffnesses that act on it (in kg/s²), as in
-            dynamic relaxation. The equilibrium depends on weights only, and in this way no mass is much
-            faster than another: eigenvalues of the Jacobian are of the order of 1/s².
+        balanced: whether each mass (in kg) is replaced by the stiffnesses acting on it (in kg/s²), as in
+            dynamic relaxation. The equilibrium depends on weights only, and all masses then move about
+            equally fast: eigenvalues of the Jacobian are of the order of 1/s².
     """
 
     def __init__(self, scene: Scene, balanced: bool) -> None:
@@ -134,7 +132,7 @@ class StaticModel:
         scene = msgspec.structs.replace(scene, wind=wind)
         self.scene = scene
         self.system, self.state = start_of(scene, build_system(scene))
-        body = self.tables = self.system.body.replaced(limits=NO_LIMITS)  # nothing yields on the way
+        body = self.tables = self.system.body.replaced(limits=NO_LIMITS)  # nothing yields during the search
         fetch(for_balance(body))
         self.surrounded = bool(body.environment.present)
         self.scratch = new_scratch(self.system)
@@ -155,11 +153,11 @@ class StaticModel:
 
     @cached_property
     def matrix(self) -> Matrix:
-        """What its linear systems are factorised in."""
+        """Storage for its factorised linear systems."""
         return new_matrix(self.tables, self.system.held)
 
     def _stiffness_at_masses(self) -> Floats:
-        """(n,) sum of the stiffnesses of all springs and joints that act on each mass, kg/s²; never zero."""
+        """Return (n,) the sum of the stiffnesses at each mass, kg/s²; never zero."""
         body = self.tables
         own = body.stiffness[: body.springs].copy()
         for joints in (body.joint_a, body.joint_b):
@@ -171,13 +169,13 @@ class StaticModel:
 
     @property
     def slides(self) -> bool:
-        """Whether there is anything that a part may fall on and slide along."""
+        """Whether there is anything that a part can fall on and slide along."""
         environment = self.tables.environment
         return bool(environment.touches)
 
     @property
     def creeps(self) -> bool:
-        """Whether there is friction that holds nothing that is at rest."""
+        """Whether some friction cannot support anything at rest."""
         environment = self.tables.environment
         walls, contact = self.scene.walls, environment.contact
         return any(wall.friction and not wall.tangential_hardness for wall in walls) or (
@@ -185,10 +183,9 @@ class StaticModel:
         )
 
     def refuse_falling(self) -> None:
-        """Refuse a body with a part that is connected to no held mass, unless it may fall on something.
+        """Raise an error if a part is connected to no held mass, unless it can fall on something.
 
-        Broken springs connect nothing. A part whose gravity and constant forces are in balance is not
-        refused.
+        Broken springs connect nothing. A part whose gravity and constant forces balance is accepted.
         """
         if self.slides:
             return
@@ -215,9 +212,9 @@ class StaticModel:
         return self.state.broken > 0.0 if self.state.broken.size else np.zeros(self.tables.springs, bool)
 
     def parts(self) -> Indices:
-        """(n + 1,) the part that the mass of each slot belongs to, by the lowest slot in it.
+        """Return the (n + 1,) part of each slot's mass, identified by its lowest slot.
 
-        A part is what springs that are not broken connect.
+        A part consists of masses connected by intact springs.
         """
         a, b = (
             ends[: self.tables.springs][~self._broken]
@@ -236,9 +233,10 @@ class StaticModel:
         return Physics(self.tables, self.state)
 
     def update_friction_history(self, q: Floats) -> None:
-        """Let friction hold what touches something at positions q, as after a step of a run.
+        """Let friction grip whatever touches something at positions q, as after a step of a run.
 
-        What touches no wall yet is to be held where it is now: the way to a wall is a single long step.
+        For masses that do not touch a wall yet, the grip is at the current position, since the way to a wall
+        is a single long step.
         """
         if not self._sticks:
             return
@@ -253,7 +251,7 @@ class StaticModel:
                 np.copyto(place, along, where=place >= NOWHERE)
 
     def grips(self, q: Floats) -> Grips | None:
-        """The grips of what touches something at positions q."""
+        """Return the grips of everything that touches something at positions q."""
         if not self._sticks:
             return None
         self._physics.update_friction_history(
@@ -262,19 +260,19 @@ class StaticModel:
         return grips_of(self.state, self.system)
 
     def accelerations(self, q: Floats) -> Floats:
-        """The accelerations at positions q and at rest, px/s²."""
+        """Return the accelerations at positions q and at rest, px/s²."""
         a = np.zeros_like(q)
         accelerations(self.tables, self.state, self.scratch, q, self.still, a)
         return a
 
     def factorise(self, q: Floats, shift: float, definite: bool = False) -> bool:
-        """Factorise shift I - J at positions q; whether it is positive definite.
+        """Factorise shift I - J at positions q; return whether it is positive definite.
 
         Without pivoting between blocks, a matrix that is symmetric apart from the masses is positive definite
         if and only if all its pivots are. (Under the tutorial's law it is slightly unsymmetric.) Fillings of
-        large loops add products of vectors to it, which make as many of its eigenvalues positive as their own
-        small matrix has negative ones (Haynsworth 1968). The blocks that join a mass to a spring that it
-        touches are not among the pivots, and are ignored here.
+        large loops add products of vectors, which make as many of its eigenvalues positive as their own small
+        matrix has negative ones (Haynsworth 1968). The blocks that couple a mass to a spring it touches are
+        not among the pivots and are ignored here.
         """
         matrix = self.matrix
         if not factorise_matrix(self.tables, self.state, matrix, q, self.still, shift, 0.0, definite):
@@ -288,37 +286,37 @@ class StaticModel:
         return negative == 0
 
     def solve(self, b: Floats) -> Floats:
-        """The solution with the last factors."""
+        """Return the solution with the last factors."""
         x = b.copy()
         solve_matrix(self.tables, self.state, self.matrix, x)
         return x
 
     def vectors(self, q: Floats) -> tuple[Floats, Floats]:
-        """(S,) x and y of the springs' vectors, px."""
+        """Return (S,) x and y of the springs' vectors, px."""
         a, b, p = self.tables.spring_a, self.tables.spring_b, self.slots
         return q[b] - q[a], q[p + b] - q[p + a]
 
     def turn(self, q: Floats, move: Floats) -> float:
-        """The largest relative movement of a spring's ends in a move, as a fraction of its length."""
+        """Return the largest relative displacement of a spring's ends, as a fraction of its length."""
         if not self.tables.springs:
             return 0.0
         lengths = np.maximum(np.hypot(*self.vectors(q)), 1e-3 * self.typical)
         return float((np.hypot(*self.vectors(move)) / lengths).max())
 
     def no_tunnelling(self, q: Floats, to_q: Floats) -> bool:
-        """Whether no mass can have passed through a spring that it touches, on the way from q to to_q."""
+        """Return whether no mass can have passed through a spring it touches on the way from q to to_q."""
         return not self.tables.environment.contact.present or bool(no_tunnelling(self.tables, q, to_q))
 
     def nudge(self, q: Floats, size: float) -> Floats:
-        """The positions with every free mass displaced at random by up to `size` typical lengths."""
+        """Return the positions with every free mass displaced at random by up to `size` typical lengths."""
         noise = np.random.default_rng(1).uniform(-1.0, 1.0, q.size)
         return q + size * self.typical * noise * (np.tile(self.state.inverse_mass, 2) > 0.0)
 
     def rounding(self, q: Floats) -> Floats:
-        """Bound of the rounding errors of accelerations at positions q, px/s².
+        """Return a bound on the rounding errors of accelerations at positions q, px/s².
 
-        Coordinates have rounding errors in proportion to their size. Springs turn them into forces mainly
-        along themselves, joints into forces in all directions.
+        The rounding errors of coordinates are proportional to their size. Springs turn them into forces
+        mainly along themselves, joints into forces in all directions.
         """
         body, p = self.tables, self.slots
         x, y = self.vectors(q)
@@ -338,7 +336,7 @@ class StaticModel:
         return bound + self._rounding_around(q) if self.surrounded else bound
 
     def _rounding_around(self, q: Floats) -> Floats:
-        """What surroundings may add to `rounding`: found by trial, with much larger errors of coordinates."""
+        """Return the rounding errors added by surroundings, found by trial with much larger errors."""
         size = _EPSILON * float(np.abs(q).max())
         signs = np.random.default_rng(2).choice((-1.0, 1.0), (_TRIALS, q.size))
         here = self.accelerations(q)
@@ -346,7 +344,7 @@ class StaticModel:
         return 2.0 * np.abs(changes).max(0) / _MAGNIFIED
 
     def refuse_shrunk(self, q: Floats) -> None:
-        """Refuse positions in which a spring has shrunk to a point, as it may under some force laws."""
+        """Raise an error if a spring has shrunk to a point, as may happen under some force laws."""
         lengths = np.hypot(*self.vectors(q))
         for s in np.flatnonzero(lengths < 1e-9 * max(self.typical, 1.0)).tolist():
             ends = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
@@ -354,7 +352,7 @@ class StaticModel:
             raise InputError(f"equilibrium: the spring between masses {a} and {b} shrinks to no length")
 
     def overloads(self, q: Floats) -> list[str]:
-        """What would break or yield at positions q and at rest, in a sentence for each way."""
+        """Describe what would break or yield at positions q and at rest, in one sentence for each kind."""
         limits, state, unit = self.system.body.limits, self.state, self.scene.view.unit
         if not limits.present:
             return []
@@ -382,12 +380,12 @@ class StaticModel:
         return sentences
 
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
-        """(n,) x and y of each mass, in the order of the scene's masses."""
+        """Return (n,) x and y of each mass, in the order of the scene's masses."""
         index = self.system.mass_index
         return q[index], q[self.slots + index]
 
     def pose(self, q: Floats) -> Pose:
-        """The positions as a pose at rest."""
+        """Return the positions as a pose at rest."""
         x, y = (part.tolist() for part in self.by_mass(q))
         return Pose(
             positions=tuple(zip(x, y, strict=True)),
@@ -398,7 +396,7 @@ class StaticModel:
 
 
 def _continuation(body: StaticModel) -> Floats:
-    """Positions at which the accelerations vanish."""
+    """Find positions at which the accelerations vanish."""
     q = body.start
     neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
     a = body.accelerations(q)
@@ -406,7 +404,7 @@ def _continuation(body: StaticModel) -> Floats:
     nudges = balanced = 0
     for number in range(_MAX_STEPS):
         if number and number % _STUCK == 0:
-            # A crumpled body may go to and fro between two folds; from elsewhere it folds in another way.
+            # A crumpled body may alternate between two folds; from another start it folds differently.
             q = body.nudge(body.start, number // _STUCK * _NUDGE)
             a, shift, nudges, balanced = body.accelerations(q), first, 0, 0
         if (np.abs(a) <= body.rounding(q)).all():
@@ -443,7 +441,7 @@ def _continuation(body: StaticModel) -> Floats:
                 raise InputError(
                     f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{creeps}"
                 )
-            # In the end a step is one of Newton's method, and its second iteration hardly moves.
+            # Finally each step is one of Newton's method, whose second iteration hardly moves.
             calm = max(turned / _MAX_ROTATION, ratio / _CONTRACTION)
             shift = max(shift * max(2.0 * calm, 1e-3), _LOWEST)
         elif shift < 1e6:
@@ -464,11 +462,11 @@ def _continuation(body: StaticModel) -> Floats:
 
 
 def _settle(body: StaticModel, q: Floats, move: Floats, shift: float) -> tuple[float, Floats]:
-    """Newton's iterations for the end of an implicit step; `move` is the first.
+    """Solve an implicit step by Newton's iterations; `move` is the first.
 
     Returns:
-        The size of the second iteration relative to the first, which is infinite if they do not converge; and
-        the positions at the end.
+        The size of the second iteration relative to the first, infinite if they do not converge; and the
+        positions at the end.
     """
     first = last = float(np.abs(move).max())
     ratio = 0.0
@@ -492,13 +490,13 @@ def _settle(body: StaticModel, q: Floats, move: Floats, shift: float) -> tuple[f
 
 
 def _search(body: StaticModel, q: Floats, a: Floats) -> tuple[float, Floats, Floats]:
-    """One step along the solution with the positive definite matrix.
+    """Take one step along the solution with the positive definite matrix.
 
-    It is halved until the power of the forces along it is no longer much below zero, so that the step does
+    The step is halved until the power of the forces along it is no longer strongly negative, so that it does
     not go far beyond the minimum.
 
     Returns:
-        The shift to go on with, the positions, and the accelerations there.
+        The shift to continue with, the positions, and the accelerations there.
     """
     shift = 1e-6
     body.factorise(q, shift, definite=True)
@@ -507,7 +505,7 @@ def _search(body: StaticModel, q: Floats, a: Floats) -> tuple[float, Floats, Flo
         move = a
     free = np.tile(body.state.inverse_mass, 2) > 0.0
     along = np.zeros(q.size)
-    along[free] = move[free] / np.tile(body.state.inverse_mass, 2)[free]  # a times this is a power
+    along[free] = move[free] / np.tile(body.state.inverse_mass, 2)[free]  # times a, this is a power
     power = float(a @ along)
     part = min(1.0, _MAX_ROTATION / max(body.turn(q, move), 1e-300))
     to_q, to_a = q, a

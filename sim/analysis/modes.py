@@ -1,14 +1,14 @@
-"""How much of each slow vibration is in a motion, and how a body is put into one.
+"""The share of each slow vibration in a motion, and how to excite one.
 
 About the pose at rest r, small vibrations have angular frequencies w_i and shapes s_i with s_iᵀ M s_j = 0 for
-i ≠ j, where M is the diagonal matrix of the masses. A displacement d from r has the amplitude
+i ≠ j, where M is the diagonal mass matrix. A displacement d from r has the amplitude
 q_i = s_iᵀ M d / (s_iᵀ M s_i) of shape i, and a velocity u has the rate u_i in the same way. The vibration
 has the energy ½ (s_iᵀ M s_i) (u_i² + w_i² q_i²).
 
-Motions of a part as a whole that nothing resists, such as those of a body that flies, are taken out first:
-displacements are measured in a frame that goes along. A part that floats has the frame that comes nearest to
-its masses in the mean, weighted by their masses (Eckart, "Some studies concerning rotating axes and
-polyatomic molecules", 1935; Kabsch 1976 for how it is found).
+Unresisted rigid motions of a part, such as those of a flying body, are removed first by measuring
+displacements in a frame that moves with the part. For a floating part this is the frame that best fits its
+masses in the mass-weighted least-squares sense (Eckart, "Some studies concerning rotating axes and polyatomic
+molecules", 1935; Kabsch 1976 for how it is found).
 """
 
 from __future__ import annotations
@@ -35,25 +35,25 @@ from .tuning import Dampers, vibrations_at_rest
 from .vibrations import MAX_MASSES, NOTHING, Vibrations
 
 MAX_TOUCHING = 200
-"""Largest number of masses of a body with contact, whose rest may take long to find."""
+"""Largest number of masses of a body with contact, whose equilibrium may take long to find."""
 _TRIAL = 1e-4
-"""Size of a displacement by which stiffness against a motion as a whole is found, in lengths of a spring."""
+"""Size of the trial displacement for finding the stiffness against a rigid motion, in spring lengths."""
 _STANDS = 0.2
-"""Amplitude, as a part of the largest, below which a place on a spring can be a node."""
+"""Amplitude, relative to the largest, below which a point on a spring can be a node."""
 _SWINGS = 0.4
-"""And from which on a mass can be an antinode."""
+"""Amplitude, relative to the largest, from which a mass can be an antinode."""
 _ROUNDED = 1e-6
-"""Part of the largest amplitude, or of a spring, that may be rounding."""
+"""Part of the largest amplitude, or of a spring, that may be due to rounding."""
 _TOUCHING = tuple(term.name for term in TERMS if term.touches)
-"""Terms whose energy is that of what is pressed together."""
+"""Terms whose energy is that of compression at contacts and walls."""
 
 
 @dataclass(frozen=True)
 class Marks:
-    """Where a shape stands still, and where it swings most.
+    """The nodes and antinodes of a shape.
 
     Attributes:
-        nodes: of each node a spring and how far along it the node is, 0..1.
+        nodes: for each node, a spring and the node's position along it, 0..1.
         antinodes: masses.
     """
 
@@ -63,18 +63,18 @@ class Marks:
 
 @dataclass(frozen=True)
 class Excitation:
-    """How much of each mode is in a motion.
+    """The share of each mode in a motion.
 
     Attributes:
-        amplitudes: (k,) present displacement in each mode, of the mass that its shape moves most, px.
-        rates: (k,) the same of the velocity, px/s.
+        amplitudes: (k,) current displacement in each mode, of the mass that its shape moves most, px.
+        rates: (k,) the corresponding velocity, px/s.
         energies: (k,) of each mode, kg px²/s².
-        whole: kinetic energy of motions of parts as a whole that nothing resists, kg px²/s².
-        others: energy above that at rest which is in none of them, kg px²/s²: of faster modes, and what a
-            large motion has beyond small ones. It may be below zero, where the body is softer far from rest.
-        touching: energy of that in walls and in contact, kg px²/s².
-        frames: (P, 4) how each part lies: cosine and sine of the angle by which it is turned from the pose at
-            rest, and by how much it is moved then, px.
+        whole: kinetic energy of the unresisted rigid motions of parts, kg px²/s².
+        others: remaining energy above that at rest, kg px²/s²: of faster modes, and the nonlinear part of a
+            large motion. It may be negative where the body is softer far from rest.
+        touching: energy of compressed walls and contacts, kg px²/s².
+        frames: (P, 4) placement of each part: cosine and sine of its rotation from the pose at rest, and the
+            translation that follows, px.
     """
 
     amplitudes: Floats
@@ -90,22 +90,22 @@ class Modes:
     """The slow vibrations of a body about its pose at rest.
 
     Args:
-        scene: a valid scene of at most 1000 masses. Its pose, if it has one, is where rest is looked for.
-        count: number of modes at most, from 1.
+        scene: a valid scene of at most 1000 masses. The search for rest starts from its pose, if it has one.
+        count: maximum number of modes, from 1.
 
     Attributes:
         scene: in the pose at rest, see `sim.tuning`.
         rest: (n, 2) that pose, px.
         omega: (k,) angular frequencies, rad/s, the slowest first; k may be less than the count, or 0.
-        shapes: (k, n, 2) amplitude of each mass relative to the largest. They are orthogonal by the masses.
+        shapes: (k, n, 2) amplitude of each mass relative to the largest. They are mass-orthogonal.
         masses: (k,) modal masses s_iᵀ M s_i, kg.
         damping_ratios: (k,) see `sim.Vibration`.
-        part: (n,) the part that each mass belongs to; parts are what springs that are not broken connect.
+        part: (n,) the part that each mass belongs to; parts are masses connected by intact springs.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: it has more than 1000 masses, or 200 where they can touch each other, or it moves away
-            from its pose by itself.
+        InputError: it has more than 1000 masses, or 200 where they can touch each other, or it leaves its
+            pose by itself.
     """
 
     def __init__(self, scene: Scene, count: int) -> None:
@@ -136,23 +136,23 @@ class Modes:
 
     @property
     def frequencies(self) -> Floats:
-        """(k,) Hz."""
+        """(k,) frequencies, Hz."""
         return self.omega / math.tau
 
     @cached_property
     def damping_ratios(self) -> Floats:
-        """See above."""
+        """(k,) damping ratios, see `sim.Vibration`."""
         dampers = Dampers(self.scene)
         decay = Decay(dampers, Vibrations(self.omega, self.shapes), self._mass)
         return decay.rates(dampers.numbers.damping, dampers.numbers.joint_damping) / self.omega
 
     @property
     def size(self) -> float:
-        """Diagonal of what the body takes at rest, px."""
+        """The diagonal of the bounding box at rest, px."""
         return float(np.hypot(*np.ptp(self.rest, axis=0)))
 
     def excitation(self, positions: Floats, velocities: Floats) -> Excitation:
-        """How much of each mode is in a motion.
+        """Find the share of each mode in a motion.
 
         Args:
             positions: (n, 2) px.
@@ -171,22 +171,22 @@ class Modes:
         return Excitation(q, rate, energies, whole, above - whole - float(energies.sum()), touching, frames)
 
     def amplitude_of(self, mode: int, energy: float) -> float:
-        """The amplitude of a mode that has an energy in kg px²/s², px."""
+        """Return the amplitude, px, of a mode with an energy in kg px²/s²."""
         return float(np.sqrt(2.0 * energy / self.masses[mode]) / self.omega[mode])
 
     def put(self, moment: Moment, mode: int, amplitude: float) -> Moment:
-        """A moment with another amplitude of a mode; all that is in other modes stays.
+        """Return a moment with another amplitude of a mode; all other modes are unchanged.
 
-        What is lacking is added as velocity, in the sense in which the mode moves, so that nothing is
-        strained that a large shape would strain. A displacement that is too large becomes the amplitude.
+        The missing energy is added as velocity, in the mode's current direction of motion, to avoid the
+        strains of a large displacement. A displacement beyond the amplitude is reduced to it.
 
         Args:
-            moment: of the scene that the modes are of.
-            mode: which, from 0.
+            moment: a moment of the modes' scene.
+            mode: index of the mode.
             amplitude: of the mass that its shape moves most, 0 px or more.
 
         Raises:
-            InputError: there is no such mode, or the amplitude is not finite or below zero.
+            InputError: there is no such mode, or the amplitude is not finite or is negative.
         """
         if not 0 <= mode < self.omega.size:
             raise InputError(f"modes: there is no mode {mode}; there are {self.omega.size}")
@@ -212,18 +212,18 @@ class Modes:
         )
 
     def supports(self, mode: int) -> tuple[Indices, Floats, float] | None:
-        """How the held masses drive a mode best that move together, as if the ground shook: so, nothing is
-        strained but what swings.
+        """Find the rigid motion of the held masses, as if the ground shook, that drives a mode best.
 
-        Of all small motions of the ground, shifts and turns, it is that with which they do most work on the
-        mode for the distance that the body would move in the mean, if it were rigid.
+        Only the vibration is strained in this way. Of all small motions of the ground, translations and
+        rotations, it is the one that does most work on the mode relative to the root-mean-square displacement
+        of the body, if it were rigid.
 
         Args:
-            mode: which, from 0.
+            mode: index of the mode.
 
         Returns:
-            the masses (a,); how they move (a, 2), if the farthest mass of a rigid body would move by 1; and
-            the force on the mode when that is 1 px, kg/s². None where no held mass feels the mode.
+            the masses (a,); their motions (a, 2), when the farthest mass of a rigid body would move by 1; and
+            the force on the mode when that is 1 px, kg/s². None where no held mass couples to the mode.
         """
         held = np.array(sorted({anchor.mass for anchor in self.scene.anchors if anchor.circle is None}), int)
         if not held.size:
@@ -250,9 +250,9 @@ class Modes:
         return held, np.column_stack((moved.real, moved.imag)), size
 
     def marks(self, mode: int) -> Marks:
-        """Where a mode's shape stands still, and where it swings most.
+        """Find the nodes and antinodes of a mode's shape.
 
-        A node is where the shape along a spring changes its side. Springs that hold a held mass have none.
+        A node is where the shape changes sign along a spring. Springs attached to a held mass have none.
         """
         a, b = (each.astype(np.int64) for each in ends(self.scene.linear_springs))
         shape = self.shapes[mode]
@@ -261,7 +261,7 @@ class Modes:
         largest_beside = np.zeros(len(size))
         for one, other in ((a, b), (b, a)):
             np.maximum.at(largest_beside, one, size[other])
-        # Of equals beside each other, the first one is told.
+        # Of equal neighbours, only the first is reported.
         tops = np.flatnonzero((size >= (1.0 - _ROUNDED) * largest_beside) & (size >= _SWINGS * largest))
         near = {*zip(a.tolist(), b.tolist(), strict=True), *zip(b.tolist(), a.tolist(), strict=True)}
         antinodes: list[int] = []
@@ -273,7 +273,7 @@ class Modes:
         along = -(one * way).sum(1) / np.where(length > 0.0, length, 1.0)
         least = np.hypot(*(one + along[:, None] * way).T)
         held = np.isin(np.stack((a, b), 1), [anchor.mass for anchor in self.scene.anchors]).any(1)
-        # One at a mass is told of the spring that begins there.
+        # A node at a mass is reported for the spring that begins there.
         inside = (along > -_ROUNDED) & (along < 1.0 - _ROUNDED)
         turns = (one * shape[b]).sum(1) <= _ROUNDED * largest**2
         moves = np.maximum(size[a], size[b]) > _ROUNDED * largest
@@ -283,12 +283,12 @@ class Modes:
 
     # --------------------------------------------------------------------- inside
     def _pull(self, x: np.ndarray) -> float:
-        """Energy of gravity and constant forces at positions x, kg px²/s², counted from (0, 0)."""
+        """Return the energy of gravity and constant forces at positions x, kg px²/s², relative to (0, 0)."""
         return -float((self._weight.conj() * x[self._here]).real.sum())
 
     def _parts(self) -> tuple[Indices, list[tuple[Indices, str, Floats]]]:
-        """The part of each mass; and of those that can move as a whole their masses, how they can, and about
-        where, px, or in which directions."""
+        """Return the part of each mass; and for each part that can move rigidly its masses, how it can move,
+        and the pivot or centre, px, or the directions."""
         body = StaticModel(self.scene, balanced=False)
         of_slot = body.parts()[self._here]
         names, part = np.unique(of_slot, return_inverse=True)
@@ -323,7 +323,7 @@ class Modes:
         return part.astype(np.int64), movable
 
     def _stiffness(self, body: StaticModel, members: Indices, basis: list[Floats]) -> Floats:
-        """(c, c) the stiffness of a part against some of its motions, 1/s²."""
+        """Return the (c, c) stiffness of a part against some of its motions, 1/s²."""
         slots = self._here[members]
         step = _TRIAL * body.typical
         columns = []
@@ -338,7 +338,7 @@ class Modes:
         return 0.5 * (found + found.T)
 
     def _local(self, positions: Floats, velocities: Floats) -> tuple[Floats, Floats, Floats, float]:
-        """Displacements and velocities in the frames that go along with the parts, these frames, see
+        """Return the displacements and velocities in frames moving with the parts, these frames, see
         `Excitation`, and the kinetic energy of their motion."""
         d, u = positions - self.rest, np.array(velocities)
         frames = np.tile((1.0, 0.0, 0.0, 0.0), (int(self.part.max(initial=0)) + 1, 1))
@@ -348,7 +348,7 @@ class Modes:
             total = weight.sum()
             frame = frames[self.part[members[0]]]
             if how == "slides":
-                # About: the directions, of unit length.
+                # Here `about` holds the directions, of unit length.
                 shift = (weight @ d[members] / total) @ about.T @ about
                 speed = (weight @ u[members] / total) @ about.T @ about
                 d[members] -= shift
@@ -376,9 +376,9 @@ class Modes:
 
 
 def _orthogonal(shapes: Floats, mass: Floats) -> Floats:
-    """Shapes that are orthogonal by the masses, each relative to its largest amplitude.
+    """Return mass-orthogonal shapes, each scaled to its largest amplitude.
 
-    Those of equal frequencies, and those of a law without an energy, are found as they come.
+    Shapes of equal frequencies, and those of a law without an energy, need not be orthogonal as found.
     """
     if not len(shapes):
         return shapes

@@ -1,13 +1,13 @@
-"""How fast small errors grow in a motion, and so whether any tolerance can say where a body will be.
+"""Growth of small errors in a motion, and whether any tolerance can therefore predict where a body will be.
 
-Two near-exact bodies start where the body is, one of them a hair beside it. After some time they start again
-from where the body is by then, with the direction in which they have come apart kept, and a hair in size. The
-logarithm of all that they have come apart by, over the time, is an estimate of the largest Lyapunov exponent
+Two near-exact bodies start where the body is, one of them slightly perturbed. After some time they restart
+from the body's current state, keeping the direction of their separation but rescaling it to its initial size.
+The logarithm of the total growth of the separation, divided by time, estimates the largest Lyapunov exponent
 (Benettin, Galgani & Strelcyn, *Kolmogorov entropy and numerical experiments*, Physical Review A 14, 1976).
 
-The body's own method would not do for the two. A method that chooses its steps turns a hair into steps of
-slightly different lengths, and their errors soon outgrow the hair. So the two have a much finer tolerance,
-and the hair is large beside it.
+The body's own method is unsuitable for the two bodies. With an adaptive method, the perturbation leads to
+slightly different step lengths, whose errors soon outgrow it. The two bodies therefore have a much finer
+tolerance, and the perturbation is large compared with it.
 """
 
 from __future__ import annotations
@@ -27,38 +27,38 @@ from ..scene.types import Scene
 from ..solve.registry import METHODS
 
 MANY = 100.0
-"""Growth in a second from which on a tolerance may not be kept: of random bodies, `auto` keeps all in which
-errors grow less; see the study in docs."""
+"""Growth of errors per second from which a tolerance may not be met: for random bodies, `auto` meets all
+tolerances where errors grow less; see the study in docs."""
 
 _PERTURBATION, _TOLERANCE = 1e-4, 5e-6
-"""Distance that is a hair, and tolerance of the two bodies, as parts of the length of a typical spring."""
+"""Size of the perturbation and tolerance of the two bodies, relative to a typical spring length."""
 _LEAST, _MOST = 0.1, 30.0
-"""Distances, in hairs, at which the two start again."""
+"""Range of separations, relative to the perturbation, outside which the two bodies restart."""
 _LONGEST = 0.25
-"""Seconds after which they do."""
+"""Time, s, after which they restart in any case."""
 _MIN_PER_CALL = 1e-3
-"""Factor by which a distance shrinks in a call, at most; what is less may be rounding."""
+"""Smallest factor by which a separation can change in a call; smaller ones may be rounding."""
 
 _SWING = 0.5
-"""Length of the window, s, whose largest distance counts: a distance passes through zero at times."""
+"""Length of the window, s, whose largest separation counts, since a separation may pass through zero."""
 _SAMPLE = 1.0 / 60.0
-"""Seconds between two samples."""
+"""Time between two samples, s."""
 _LONGEST_RUN = 1e4
 _MASS_STEPS = 20_000_000
-"""Steps that `predictability` may try unless it is told otherwise, times masses."""
+"""Default number of steps that `predictability` may try, times the number of masses."""
 
 
 class TwinTrajectory:
-    """Two near-exact bodies beside a body, and how fast they come apart.
+    """Two near-exact bodies beside a body, and the growth of their separation.
 
     Args:
         body: the body; it is only read.
-        wait: whether steps of the two may wait until their kernels are compiled.
+        wait: whether steps of the two bodies may wait until their kernels are compiled.
 
     Attributes:
-        pair: the two. Whatever leads masses of the body, or presses keys, has to do so for them.
-        hair: (4, n) how far they are apart now: x and y, px, and vx and vy, px/s.
-        level: natural logarithm of the factor by which their distance has grown since the start.
+        pair: the two bodies. Whatever drives masses of the body, or presses keys, must do the same for them.
+        hair: (4, n) their current separation: x and y, px, and vx and vy, px/s.
+        level: natural logarithm of the factor by which their separation has grown since the start.
     """
 
     def __init__(self, body: Simulation, wait: bool = True) -> None:
@@ -69,11 +69,11 @@ class TwinTrajectory:
         self.place(body)
 
     def place(self, body: Simulation, hair: NDArray[np.float64] | None = None) -> None:
-        """Start again from where the body is.
+        """Restart both from the body's current state.
 
         Args:
-            body: as for the constructor; it may have other settings or even other masses by now.
-            hair: the direction of the second one; None for the present one.
+            body: as for the constructor; its settings, and even its masses, may have changed.
+            hair: direction of the second body's perturbation; None for the present one.
         """
         if body.scene is not self._of:
             self._of = body.scene
@@ -88,14 +88,14 @@ class TwinTrajectory:
         self._since = 0.0
 
     def step(self, steps: int, attempts: int | None = None) -> bool:
-        """Let both do some time steps, and see how far they are apart.
+        """Advance both by some time steps and measure their separation.
 
         Args:
             steps: time steps of the body.
             attempts: steps that a method may try, for each of the two.
 
         Returns:
-            Whether they have come so far. If not, they have to be placed anew.
+            Whether both have completed all steps. If not, they must be placed anew.
         """
         if any(one.step(steps, attempts) < steps for one in self.pair):
             return False
@@ -108,12 +108,12 @@ class TwinTrajectory:
 
     @property
     def due(self) -> bool:
-        """Whether they should start again from where the body is."""
+        """Whether they should restart from the body's current state."""
         return self._since >= _LONGEST or not _LEAST < self._far / hair_of(self._of) < _MOST
 
     @property
     def held(self) -> bool:
-        """Whether no mass is free, so that there is nothing to come apart."""
+        """Whether no mass is free, so that nothing can separate."""
         return self._far == 0.0
 
     def _measure(self) -> None:
@@ -124,18 +124,18 @@ class TwinTrajectory:
 
 @dataclass(frozen=True, eq=False)
 class Predictability:
-    """How fast small errors grow in a motion.
+    """The growth of small errors in a motion.
 
     Attributes:
         times: (k,) s from the start.
-        growth: (k,) natural logarithm of the factor by which the distance of two bodies, which begin a hair
-            apart, has grown by then.
-        rate: 1/s, slope of that after the first quarter of the time: the finite-time largest Lyapunov
+        growth: (k,) natural logarithm of the factor by which the separation of two bodies, initially a small
+            perturbation, has grown by then.
+        rate: 1/s, slope of the growth after the first quarter of the time: the finite-time largest Lyapunov
             exponent.
-        verdict: what this means for the scene's tolerance or time step, in words.
+        verdict: the consequence for the scene's tolerance or time step, in words.
         divergence: why the body stopped, or None.
-        complete: whether it has run for its duration, or until it stopped. If not, its attempts were used up,
-            and the verdict says so.
+        complete: whether the run covers its duration or ended because the body stopped. If not, its attempts
+            were used up, and the verdict says so.
     """
 
     times: NDArray[np.float64]
@@ -146,7 +146,7 @@ class Predictability:
     complete: bool = True
 
     def stopped(self, attempts: int, duration: float) -> Predictability:
-        """The same, of a run whose attempts were used up before its duration, s."""
+        """Return a copy for a run that used up its attempts before its duration, s."""
         until = float(self.times[-1])
         ended = f"the {attempts} steps that it may try were used up before {duration:g} s"
         what = f"until {until:.3g} s, {self.verdict}" if until > 0.0 else "how fast errors grow is not known"
@@ -154,27 +154,27 @@ class Predictability:
 
     @property
     def per_second(self) -> float:
-        """The factor by which errors grow in a second, exp(`rate`)."""
+        """The factor by which errors grow per second, exp(`rate`)."""
         return factor_of(self.rate)
 
     @property
     def e_folding(self) -> float:
-        """Time in which errors grow e-fold, s; infinite where they do not grow."""
+        """The time in which errors grow e-fold, s; infinite where they do not grow."""
         return 1.0 / self.rate if self.rate > 0.0 else math.inf
 
 
 def predictability(scene: Scene, duration: float, attempts: int | None = None) -> Predictability:
-    """Run a scene, and see how fast small errors grow in its motion.
+    """Run a scene and measure how fast small errors grow in its motion.
 
-    It takes some ten times as long as the run itself, and more where the motion is violent, since two bodies
-    are computed nearly exactly. It ends when the steps that it may try are used up, and says so. Held masses
-    stay where the scene has them, or go round on their circles.
+    This takes about ten times as long as the run itself, and longer for violent motion, since two bodies are
+    computed nearly exactly. It ends early if the allowed number of steps is used up, and the verdict then
+    says so. Held masses stay where the scene has them, or move on their circles.
 
     Args:
         scene: a valid scene.
-        duration: simulated time, up to 1e4 s; a second or more says most.
-        attempts: steps that the body and the two beside it may try together, at least 1; None for twenty
-            million divided by the number of masses, which take some ten seconds.
+        duration: simulated time, up to 1e4 s; at least a second is most informative.
+        attempts: steps that the body and its two companions may try together, at least 1; None for twenty
+            million divided by the number of masses, which takes about ten seconds.
 
     Raises:
         SceneError: the scene is not valid.
@@ -207,10 +207,10 @@ def predictability(scene: Scene, duration: float, attempts: int | None = None) -
 
 
 class GrowthMeter:
-    """Notes how fast errors grow in a motion, from look to look.
+    """Measures how fast errors grow in a motion, one interval at a time.
 
     Args:
-        body: the body, at the start; it is only read.
+        body: the body at the start; it is only read.
     """
 
     def __init__(self, body: Simulation) -> None:
@@ -224,14 +224,14 @@ class GrowthMeter:
         return self._shadow.held
 
     def look(self, body: Simulation, attempts: int | None = None) -> int:
-        """Go on by what the body has done since the last look; what leads or drives it is not seen.
+        """Advance by what the body has done since the last call, ignoring whatever guides or drives it.
 
         Args:
             body: the body.
-            attempts: steps that each of the two may try; None for any number.
+            attempts: steps that each of the two may try; None for no limit.
 
         Returns:
-            The steps that both have tried.
+            The number of steps that both have tried.
         """
         steps, self._steps = body.step_count - self._steps, body.step_count
         arrived = steps > 0 and self._shadow.step(steps, attempts)
@@ -243,19 +243,19 @@ class GrowthMeter:
         return sum(map(_tried, self._shadow.pair))
 
     def result(self, body: Simulation) -> Predictability:
-        """What was found until now."""
+        """Return the result so far."""
         times, levels = np.array(self._times), np.array(self._levels)
         rate = _slope(times, levels)
         return Predictability(times, levels, rate, verdict(body.scene, factor_of(rate)), body.divergence)
 
 
 def _tried(simulation: Simulation) -> int:
-    """What a simulation has tried since this was last asked of it, see `SolverStats.work`."""
+    """Return the number of steps a simulation has tried since the last call, see `SolverStats.work`."""
     return simulation.stats().work
 
 
 def growth_within(times: Sequence[float], levels: Sequence[float], span: float) -> float | None:
-    """By how much the logarithm of a distance has grown in the last `span` seconds; None if it is not known.
+    """Return the growth of the logarithm of the separation in the last `span` seconds; None if unknown.
 
     Args:
         times: ascending, s.
@@ -271,21 +271,22 @@ def growth_within(times: Sequence[float], levels: Sequence[float], span: float) 
 
 
 def factor_of(level: float) -> float:
-    """exp(level), or the largest number that there is."""
+    """Return exp(level), limited to avoid overflow."""
     return math.exp(min(level, 700.0))
 
 
 def hair_of(scene: Scene) -> float:
-    """How far the two bodies beside one of a scene are apart at first, px."""
+    """Return the initial separation of the two bodies beside one of a scene, px."""
     return _PERTURBATION * _typical_length(scene)
 
 
 def horizon(scene: Scene, per_second: float) -> float:
-    """Time, s, in which the rounding of a coordinate grows to the tolerance; infinite if errors do not grow.
+    """Return the time, s, in which the rounding of a coordinate grows to the tolerance; infinite if errors do
+    not grow.
 
     Args:
-        scene: with the tolerance.
-        per_second: the factor by which errors grow in a second.
+        scene: the scene, with its tolerance.
+        per_second: the factor by which errors grow per second.
     """
     if per_second <= 1.0:
         return math.inf
@@ -294,11 +295,11 @@ def horizon(scene: Scene, per_second: float) -> float:
 
 
 def verdict(scene: Scene, per_second: float) -> str:
-    """What a growth of errors means for a scene's tolerance or time step, in words.
+    """Describe the consequence of a growth of errors for a scene's tolerance or time step.
 
     Args:
-        scene: with the method, its tolerance and its unit.
-        per_second: the factor by which errors grow in a second.
+        scene: the scene, with its method, tolerance and unit.
+        per_second: the factor by which errors grow per second.
     """
     integrator = scene.integrator
     adaptive = METHODS[integrator.method].adaptive
@@ -311,7 +312,7 @@ def verdict(scene: Scene, per_second: float) -> str:
 
 
 def _typical_length(scene: Scene) -> float:
-    """The median rest length of a scene's springs, px, or else its size."""
+    """Return the median rest length of a scene's springs, px, or the scene's size if there is none."""
     lengths = [spring.rest_length for spring in scene.linear_springs if spring.rest_length > 0.0]
     if lengths:
         return float(np.median(lengths))
@@ -319,19 +320,19 @@ def _typical_length(scene: Scene) -> float:
 
 
 def _near_exact(scene: Scene) -> Scene:
-    """The scene with the method and the tolerance of the two bodies."""
+    """Return the scene with the method and tolerance of the two bodies."""
     tolerance = max(1e-12, _TOLERANCE * _typical_length(scene))
     integrator = msgspec.structs.replace(scene.integrator, method="auto", tolerance=tolerance)
     return msgspec.structs.replace(scene, integrator=integrator)
 
 
 def _farthest(hair: NDArray[np.float64]) -> float:
-    """The largest distance of a mass in (4, n) differences, px; positive."""
+    """Return the largest distance of a mass in (4, n) differences, px; positive."""
     return max(float(np.hypot(*hair[:2]).max()), 1e-300)
 
 
 def _slope(times: NDArray[np.float64], levels: NDArray[np.float64]) -> float:
-    """Slope of the largest levels within each `_SWING`, after the first quarter of the time, 1/s."""
+    """Return the slope of the largest levels within each `_SWING`, after a quarter of the time, 1/s."""
     first = np.searchsorted(times, times - _SWING)
     largest = np.array([levels[i : k + 1].max() for k, i in enumerate(first)])
     late = times >= 0.25 * times[-1]

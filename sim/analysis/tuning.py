@@ -1,4 +1,4 @@
-"""What the numbers of a scene mean for its motion: frequencies, sag, damping, and the time steps it bears."""
+"""The effect of a scene's parameters on its motion: frequencies, sag, damping and stable time steps."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ from .equilibrium import loaded_equilibrium
 from .vibrations import MAX_MASSES, Vibrations, free_vibrations
 
 _UPDATES = 4
-"""Updates of the estimate of the fastest vibration."""
+"""Number of updates of the estimate of the fastest vibration."""
 _CREEP = 1e-3
-"""Speed at which friction is looked at, as a part of the smallest slip speed."""
+"""Speed at which friction is evaluated, relative to the smallest slip speed."""
 MAX_VIBRATIONS = 100
-"""How many vibrations are looked at, the slowest first."""
+"""Maximum number of vibrations examined, slowest first."""
 _LOOKS = (24, MAX_VIBRATIONS)
-"""How many are found at a time until one of them is elastic; of a small body all."""
+"""Numbers of vibrations found in turn until one of them is elastic; for a small body, all are found."""
 _SMALL = 120
-"""Number of ways to move of a small body."""
+"""Number of degrees of freedom below which a body is small."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +46,10 @@ class Vibration:
 
     Attributes:
         frequency: without damping, Hz.
-        damping_ratio: 1 where it is critically damped: the rate at which its amplitude falls over its angular
-            frequency. Where damping couples it with others the rate is that of its energy, see
-            `sim.analysis.decay`; of the fastest vibration it is that of the vibration by itself. Air
-            friction, which vanishes with the amplitude, is not in it; friction on walls is as at a creep.
+        damping_ratio: the decay rate of its amplitude divided by its angular frequency; 1 at critical
+            damping. Where damping couples it with others, the rate is that of its energy, see
+            `sim.analysis.decay`; for the fastest vibration, coupling is ignored. Air friction, which vanishes
+            with the amplitude, is not included; friction on walls is that of a creeping motion.
         shape: (n, 2) amplitude of each mass relative to the largest; the sign is arbitrary.
     """
 
@@ -59,23 +59,23 @@ class Vibration:
 
     @property
     def period(self) -> float:
-        """s."""
+        """The period, s."""
         return 1.0 / self.frequency
 
     @property
     def calm_after(self) -> float:
-        """s, in which the amplitude falls to a tenth; infinite without damping."""
+        """The time, s, in which the amplitude falls to a tenth; infinite without damping."""
         rate = math.tau * self.frequency * self.damping_ratio
         return TENTH / rate if rate > 0.0 else math.inf
 
 
 class UncoupledOscillators(NamedTuple):
-    """What each spring, or each joint, would do if there were no others.
+    """Each spring, or each joint, as an oscillator without the others.
 
     Attributes:
-        frequency: (k,) Hz, of the masses at its ends; 0 where none of them is free.
-        damping_ratio: (k,) 1 where it is critically damped; infinite where it is damped without stiffness.
-        stable_step: (k,) s, the largest stable time step of symplectic Euler; infinite where there is none.
+        frequency: (k,) Hz, with the masses at its ends; 0 where none of them is free.
+        damping_ratio: (k,) 1 at critical damping; infinite for damping without stiffness.
+        stable_step: (k,) s, the largest stable time step of symplectic Euler; infinite where unlimited.
     """
 
     frequency: Floats
@@ -85,21 +85,20 @@ class UncoupledOscillators(NamedTuple):
 
 @dataclass(frozen=True)
 class Tuning:
-    """What `tuning` found.
+    """The result of `tuning`.
 
     Attributes:
         slowest, fastest: of the vibrations about the pose at rest; None where there is none.
-        elastic: the slowest of those that springs or joints hold by more than half, so that it is no swing
-            under gravity; None where there is none among the slowest hundred.
-        sag: px by which the mass that sinks most sinks in the direction of gravity (without gravity: of all
-            constant forces together), from where the scene puts it to its place at rest; None where nothing
-            pulls it, or where it comes to no rest.
-        sag_mass: which mass that is.
+        elastic: the slowest vibration in which springs or joints provide more than half of the stiffness, so
+            that it is no swing under gravity; None where there is none among the slowest hundred.
+        sag: largest displacement of a mass, px, from the scene's start to rest, in the direction of gravity
+            (without gravity: of the sum of all constant forces); None where there is no pull or no rest.
+        sag_mass: the mass that sinks most.
         stable_steps: s, the largest stable time step of each method that has one, about the scene's start;
-            infinite where nothing limits it.
-        springs, joints: each alone.
+            infinite where unlimited.
+        springs, joints: each as an uncoupled oscillator.
         notes: why something is missing, and what would break or yield in the pose at rest, which these
-            numbers leave out; one sentence each, without a full stop.
+            numbers ignore; one sentence each, without a full stop.
     """
 
     slowest: Vibration | None
@@ -114,15 +113,15 @@ class Tuning:
 
 
 def tuning(scene: Scene) -> Tuning:
-    """What a scene's stiffnesses, dampings and masses mean for its motion.
+    """Find the effect of a scene's stiffnesses, dampings and masses on its motion.
 
     The vibrations are those about the pose at rest, see `sim.equilibrium`; where gravity makes the body fall,
-    about its pose without gravity, and where there is none, about the scene's start. The slowest comes from
-    all of them (`sim.vibrations`), for at most 1000 masses; motions that nothing resists, such as those of a
-    free body as a whole, are no vibrations. The fastest is found by Arnoldi's method, within a per cent.
+    about its pose without gravity, and where there is none, about the scene's start. The slowest is found
+    with `sim.vibrations`, for at most 1000 masses; unresisted motions, such as those of a free body as a
+    whole, do not count as vibrations. The fastest is found by Arnoldi's method, to within one per cent.
 
-    A spring alone has the square of the angular frequency stiffness / mu, where mu = m1 m2 / (m1 + m2) is the
-    reduced mass of its ends (m1, if the other one is held), and a joint alone is that of two springs in line
+    An uncoupled spring has the squared angular frequency stiffness / mu, where mu = m1 m2 / (m1 + m2) is the
+    reduced mass of its ends (m1, if the other one is held); an uncoupled joint is that of two springs in line
     at their rest lengths. Their steps are those of `sim.motion.stability`.
 
     Args:
@@ -166,7 +165,7 @@ class Numbers(NamedTuple):
 
     @staticmethod
     def of(scene: Scene) -> Numbers:
-        """Those of a scene."""
+        """Return the numbers of a scene."""
         springs, joints = scene.linear_springs, scene.angular_springs
         of_joints = np.array(joint_stiffness(scene), float)
         return Numbers(
@@ -175,11 +174,11 @@ class Numbers(NamedTuple):
 
 
 def inverse_reduced_masses(scene: Scene) -> tuple[Floats, Floats]:
-    """1 / the reduced mass of each spring (S,), and of each joint (J,), 1/kg.
+    """Return the inverse reduced mass of each spring (S,) and of each joint (J,), 1/kg.
 
-    It is 0 where all masses are held, and of what is broken.
+    It is 0 where all masses are held, and for broken parts.
 
-    The stiffness times it is the square of the angular frequency of that part alone, 1/s².
+    Multiplied by the stiffness, it gives the squared angular frequency of the uncoupled part, 1/s².
     """
     system = build_system(scene)
     body = system.body
@@ -193,17 +192,17 @@ def inverse_reduced_masses(scene: Scene) -> tuple[Floats, Floats]:
 
 
 def broken_parts(scene: Scene) -> tuple[Indices, Indices]:
-    """The springs that are broken at the scene's start, and the joints that hold one of them."""
+    """Return the springs that are broken at the scene's start, and the joints attached to one of them."""
     damage = damage_of(scene)
     broken = np.array(damage.broken if damage is not None else (), np.int64)
     return broken, np.flatnonzero(np.isin(np.stack(ends(scene.angular_springs), 1), broken).any(1))
 
 
 def vibrations_at_rest(scene: Scene, count: int) -> tuple[Scene, Vibrations]:
-    """A scene in the pose that `tuning` takes, and its slowest vibrations there, or all if they are fewer.
+    """Return a scene in the pose that `tuning` uses, and up to `count` of its slowest vibrations there.
 
     Raises:
-        InputError: as `vibrations`, but of the count.
+        InputError: as `vibrations`, except for the count.
     """
     resting, _, _ = at_rest(scene, [])
     freedoms = _freedoms(scene)
@@ -213,7 +212,7 @@ def vibrations_at_rest(scene: Scene, count: int) -> tuple[Scene, Vibrations]:
 
 
 class Dampers:
-    """What damps small vibrations about a scene's start.
+    """Everything that damps small vibrations about a scene's start.
 
     Args:
         scene: a valid scene.
@@ -223,22 +222,22 @@ class Dampers:
         exact = for_analysis(scene)
         self._system, self._state = start_of(exact, build_system(exact))
         self._physics = Physics(self._system.body, self._state)
-        # Its drag grows with the square of the speed: of small vibrations it takes nothing.
+        # Its drag grows with the square of the speed, so it does not damp small vibrations.
         del self._physics.terms[AIR.name]
-        # What does not change with the velocity here damps nothing, and need not be looked at again.
+        # Terms that do not depend on the velocity here damp nothing and can be left out.
         x = self._state.x + 1j * self._state.y
         v = np.random.default_rng(1).uniform(-1.0, 1.0, (2, x.size)).T.copy().view(complex)[:, 0]
         for name, term in list(self._physics.terms.items()):
             if np.array_equal(term.forces(x, v), term.forces(x, -v)):
                 del self._physics.terms[name]
-        # Those whose damping is asked for.
+        # The springs and joints, whose dampings are arguments.
         body, state = self._system.body, self._state
         self._springs, self._joints = SpringsReference(body, state), JointsReference(body, state)
         self._physics.terms |= {"linear": self._springs, "angular": self._joints}
         self._mass = np.array([[m.mass] for m in scene.masses])
         self.numbers = Numbers.of(scene)
         self._broken, self._loose = broken_parts(scene)
-        # Friction is in proportion to speeds only far below those at which things slip.
+        # Friction is proportional to the speed only far below the slip speeds.
         slips = [wall.slip_speed for wall in scene.walls]
         slips += [part.slip_speed for part in (scene.contact, scene.ground) if part]
         self._creep = _CREEP * min(slips, default=1.0 / _CREEP)
@@ -246,20 +245,20 @@ class Dampers:
     def ratio(
         self, omega: float, shape: Floats, springs: Floats | None = None, joints: Floats | None = None
     ) -> float:
-        """The damping ratio of a vibration: what damping takes at the velocity `shape`, as a part of what it
-        would take if all of the vibration were damped critically.
+        """Return the damping ratio of a vibration: the power of damping at the velocity `shape`, relative to
+        that if the whole vibration were critically damped.
 
         Args:
             omega: angular frequency, rad/s.
             shape: (n, 2) amplitude of each mass.
             springs, joints: their dampings, kg/s, in the order of the scene; None for no damping.
         """
-        # Of nothing but rounding it may be below zero.
+        # Rounding may make it negative where nothing damps.
         power = max(0.0, float((shape * self.drag(shape, springs, joints)).sum()))
         return power / (2.0 * omega * float((self._mass * shape**2).sum()))
 
     def drag(self, shape: Floats, springs: Floats | None = None, joints: Floats | None = None) -> Floats:
-        """(n, 2) the forces against the velocities `shape`, kg/s times these; arguments as in `ratio`."""
+        """Return (n, 2) forces opposing the velocities `shape`, kg/s times these; arguments as in `ratio`."""
         system, state, physics = self._system, self._state, self._physics
         body = system.body
         springs, joints = (
@@ -279,7 +278,7 @@ class Dampers:
         return change[system.mass_index].view(np.float64).reshape(-1, 2)
 
     def hold(self, omega: float, shape: Floats) -> Hold:
-        """What holds a vibration; arguments as in `ratio`."""
+        """Find what stiffens and damps a vibration; arguments as in `ratio`."""
         unit, around = 2.0 / omega, self.ratio(omega, shape)
         return Hold(
             self.ratio(omega, shape, springs=unit * self.numbers.stiffness) - around,
@@ -289,12 +288,12 @@ class Dampers:
 
 
 class Hold(NamedTuple):
-    """What holds and damps a vibration.
+    """The shares of springs and joints in a vibration's stiffness, and its damping by anything else.
 
     Attributes:
-        springs, joints: the part of its stiffness that is of springs, and of joints; it is their damping
-            ratio, were each of them damped critically for it.
-        around: damping ratio by what is neither.
+        springs, joints: fraction of its stiffness from springs and from joints; it is the damping ratio that
+            they would give if each of them were critically damped for this vibration.
+        around: damping ratio due to anything else.
     """
 
     springs: float
@@ -303,7 +302,7 @@ class Hold(NamedTuple):
 
     @property
     def is_elastic(self) -> bool:
-        """Whether springs or joints hold it by more than half and may damp it critically."""
+        """Whether springs or joints provide more than half of the stiffness and can damp it critically."""
         return max(self.springs, self.joints) > 0.5 and self.around < 1.0
 
 
@@ -313,14 +312,14 @@ def _freedoms(scene: Scene) -> int:
 
 
 def at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | None]:
-    """The scene in the pose at rest, if there is one, how far it sinks, and which mass sinks most.
+    """Return the scene in its pose at rest, if there is one, its sag, and the mass that sinks most.
 
     Args:
         scene: a valid scene.
-        notes: is told why something is missing.
+        notes: list to which reasons for missing results are appended.
 
     Returns:
-        The scene in the pose that vibrations are about, see `tuning`; the sag, px, and its mass, or None.
+        The scene in the pose about which it vibrates, see `tuning`; the sag, px, and its mass, or None.
     """
     down = pull_direction(scene) if _freedoms(scene) > 0 else None
     pose, sinks = None, down is not None
@@ -349,7 +348,7 @@ def at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | 
 
 
 def pull_direction(scene: Scene) -> Floats | None:
-    """(2,) the direction of gravity or, without it, of all loads together; None where nothing pulls it."""
+    """Return the (2,) direction of gravity or, without it, of the sum of all loads; None without any pull."""
     pull = np.array(scene.gravity)
     if not pull.any():
         held = {anchor.mass for anchor in scene.anchors}
@@ -367,12 +366,12 @@ def _weightless(scene: Scene) -> Scene:
 
 
 def _of(error: InputError) -> str:
-    """The sentence of an error without the name of what it came from."""
+    """Return the message of an error without the name of its source."""
     return str(error).partition(": ")[2] or str(error)
 
 
 def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibration | None]:
-    """The slowest vibration, and the slowest elastic one."""
+    """Find the slowest vibration and the slowest elastic one."""
     if len(scene.masses) > MAX_MASSES:
         notes.append(f"the slowest vibrations are found for at most {MAX_MASSES} masses")
         return None, None
@@ -395,8 +394,8 @@ def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibratio
 
 
 def elastic_vibration(scene: Scene, dampers: Dampers) -> tuple[Vibrations, int | None]:
-    """The slowest vibrations about a scene's start, and which of them is the slowest elastic one, see
-    `Tuning`; None if none of the slowest hundred is.
+    """Find the slowest vibrations about a scene's start and the index of the slowest elastic one, see
+    `Tuning`; None if none of the slowest hundred is elastic.
 
     Args:
         scene: a valid scene of at most 1000 masses with a free one.
@@ -437,7 +436,8 @@ def _fastest(scene: Scene) -> Vibration | None:
 
 
 def _alone(stiffness: Floats, damping: Floats, softness: Floats) -> UncoupledOscillators:
-    """Each alone, with k and c as in `sim.solve.stability_limits`: its limit is where dt² k + 2 dt c = 4."""
+    """Return the uncoupled oscillators; with k and c as in `sim.solve.stability_limits`, the limit is where
+    dt² k + 2 dt c = 4."""
     k, c = stiffness * softness, damping * softness
     omega = np.sqrt(k)
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -1,4 +1,4 @@
-"""The small vibrations of a body about a pose."""
+"""Small vibrations of a body about a pose."""
 
 from __future__ import annotations
 
@@ -22,19 +22,20 @@ _NOT_HELD = (
     "sim.equilibrium finds where they do"
 )
 _BALANCED = 1e-6
-"""Acceleration, as a part of the largest by gravity or loads, up to which a body rests."""
+"""Acceleration, relative to the largest from gravity or loads, up to which a body counts as at rest."""
 _ROUNDED = 100.0
-"""How many bounds of rounding errors may be left, too."""
+"""Residual acceleration allowed in addition, in bounds of the rounding errors."""
 _SHIFT = 1.0
-"""What is added to squares of angular frequencies, 1/s², so that the matrix of a free body has an inverse."""
+"""Shift of the squared angular frequencies, 1/s², which makes the matrix of a free body invertible."""
 NOTHING = 1e-3
-"""Square of an angular frequency, 1/s², up to which a motion counts as one that nothing resists."""
+"""Squared angular frequency, 1/s², up to which a motion counts as unresisted."""
 _FEW, _MANY = 6, 120
-"""Arnoldi's method finds the slowest vibrations where they are one of so many of at least this many."""
+"""Arnoldi's method finds the slowest vibrations if there are at least `_MANY` and at most one in `_FEW` of
+them is wanted."""
 
 
 class Vibrations(NamedTuple):
-    """Small vibrations without damping, the slowest first.
+    """Small undamped vibrations, slowest first.
 
     Attributes:
         omega: (k,) angular frequencies, rad/s.
@@ -46,20 +47,20 @@ class Vibrations(NamedTuple):
 
     @property
     def frequencies(self) -> Floats:
-        """(k,) Hz."""
+        """(k,) frequencies, Hz."""
         return self.omega / math.tau
 
 
 def vibrations(scene: Scene, count: int) -> Vibrations:
-    """The slowest small vibrations about the scene's start, which should be an equilibrium.
+    """Find the slowest small vibrations about the scene's start, which should be an equilibrium.
 
-    What gravity and loads strain at rest is in them only about that pose, as after
-    `msgspec.structs.replace(scene, pose=sim.equilibrium(scene))`; where forces do not balance at the start, a
-    `UserWarning` says so.
+    The effect of stresses from gravity and loads is included only about the loaded equilibrium, as after
+    `msgspec.structs.replace(scene, pose=sim.equilibrium(scene))`. A `UserWarning` is issued if the forces do
+    not balance at the start.
 
-    They are found from the eigenvalues of the inverse of the Jacobian of the accelerations with respect to
-    positions, so that the slow ones are accurate however stiff the body is; a few of many by Arnoldi's
-    method. Damping and air friction are ignored.
+    The vibrations follow from the eigenvalues of the inverse of the Jacobian of the accelerations with
+    respect to positions, so the slow ones are accurate however stiff the body is. A few out of many are found
+    by Arnoldi's method. Damping and air friction are ignored.
 
     Args:
         scene: a valid scene of at most 1000 masses.
@@ -68,7 +69,7 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
     Raises:
         SceneError: the scene is not valid.
         InputError: the count or the number of masses is out of range, or the body can move without any
-            restoring force, or moves away from its start by itself, so that its motion there is no vibration.
+            restoring force or leaves its start by itself, so that its motion there is no vibration.
     """
     body = _checked(scene, count)
     pulls = np.concatenate((body.state.gx, body.state.gy))
@@ -91,8 +92,10 @@ def _vibrations(body: StaticModel, count: int) -> Vibrations:
 
 
 def free_vibrations(scene: Scene, count: int) -> Vibrations:
-    """Like `vibrations`, but of any body: motions that nothing resists, such as those of a free body as a
-    whole, are left out. So are vibrations slower than 0.005 Hz. There may be fewer than the count, or none.
+    """Find vibrations like `vibrations`, but of any body, leaving out unresisted motions.
+
+    Motions such as those of a free body as a whole are left out, as are vibrations slower than 0.005 Hz, so
+    fewer than the count, or none, may be returned.
 
     Arguments and errors are those of `vibrations`, except that the body may move without restoring force.
     """
@@ -120,23 +123,23 @@ def _checked(scene: Scene, count: int) -> StaticModel:
 
 
 def _motions(body: StaticModel, shift: float, count: int) -> tuple[Floats, Floats]:
-    """1 / (square of the angular frequency + shift) of the slowest motions, or of all, the slowest first, s²;
-    and their shapes, flat.
+    """Return 1 / (squared angular frequency + shift), s², and the flat shapes of the slowest motions, or of
+    all motions, slowest first.
 
     Args:
         body: the body.
         shift: 1/s².
-        count: how many are wanted besides those that nothing resists.
+        count: number of motions wanted besides the unresisted ones.
 
     Raises:
-        InputError: the square of an angular frequency is less than minus the shift, or is not real.
+        InputError: a squared angular frequency is less than minus the shift, or is not real.
     """
     free = np.flatnonzero(body.state.inverse_mass)
     columns = np.concatenate((free, body.slots + free))
     stable = body.factorise(body.start, shift)
     if not stable:
         raise InputError(_NOT_HELD)
-    # Scaling by the masses on both sides makes it symmetric if the law has an energy.
+    # Scaling by the masses on both sides makes the matrix symmetric if the law has an energy.
     root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
 
     def scaled_inverse(vector: Floats) -> Floats:
@@ -144,7 +147,7 @@ def _motions(body: StaticModel, shift: float, count: int) -> tuple[Floats, Float
         full[columns] = root * vector.ravel()
         return body.solve(full)[columns] / root
 
-    # Nothing resists at most three motions of each part that is connected; one part is the rule.
+    # Each connected part has at most three unresisted motions, and usually there is one part.
     wanted = count + 3
     few = columns.size >= _MANY and wanted * _FEW <= columns.size
     if few:
@@ -163,7 +166,7 @@ def _motions(body: StaticModel, shift: float, count: int) -> tuple[Floats, Float
 
 
 def _eigen(matrix: Floats) -> tuple[np.ndarray, np.ndarray]:
-    """All eigenvalues and eigenvectors of a matrix that is symmetric, or nearly so."""
+    """Return all eigenvalues and eigenvectors of a symmetric or nearly symmetric matrix."""
     if not np.isfinite(matrix).all():
         raise InputError(_NOT_HELD)
     if np.allclose(matrix, matrix.T, rtol=1e-6, atol=1e-9 * float(np.abs(matrix).max())):
@@ -174,7 +177,7 @@ def _eigen(matrix: Floats) -> tuple[np.ndarray, np.ndarray]:
 def _slowest_few(
     scaled_inverse: Callable[[Floats], Floats], size: int, count: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The largest eigenvalues of a matrix that is given by what it does, and their vectors."""
+    """Return the largest eigenvalues and their eigenvectors of a matrix given as a matrix-vector product."""
     from scipy.sparse.linalg import ArpackError, LinearOperator, eigs
 
     start = np.random.default_rng(1).uniform(-1.0, 1.0, size)
@@ -189,7 +192,7 @@ def _slowest_few(
 
 
 def _by_mass(body: StaticModel, flat: Floats) -> Floats:
-    """(k, n, 2) shapes, each relative to its largest amplitude."""
+    """Return the (k, n, 2) shapes, each scaled to its largest amplitude."""
     shapes = np.array([np.column_stack(body.by_mass(row)) for row in flat])
     shapes = shapes.reshape(len(flat), body.tables.masses, 2)
     return shapes / np.abs(shapes).max((1, 2), keepdims=True)

@@ -1,8 +1,8 @@
-"""All that touches the inside of numba and LLVM, so that a new version of them is one review.
+"""Everything that depends on internals of numba and LLVM, so that only this needs review for a new version.
 
-Checked with numba 0.68.1 and llvmlite 0.50.0; `pyproject.toml` has the range that is allowed.
+Checked with numba 0.68.1 and llvmlite 0.50.0; `pyproject.toml` has the allowed range.
 
-| module | what it uses that numba does not document |
+| module | undocumented parts of numba that it uses |
 |---|---|
 | `jit` | `Compiler.define_pipelines` and `flags.noalias`, the option `_nrt` |
 | `kept` | a dispatcher's `_cache`, `CompileResult._reduce` and `_rebuild`, `magic_tuple`, `dumps` |

@@ -1,8 +1,8 @@
 """Bit patterns of floats, for finding the largest absolute value of an array quickly.
 
-A maximum of floats that does not lose NaN takes four cycles for each number and is not vectorised. The bit
-patterns of floats that are not negative, read as integers, have the same order, with NaN above all; their
-maximum is found eight at a time.
+A maximum of floats that preserves NaN takes four cycles per number and is not vectorised. The bit patterns of
+non-negative floats, read as integers, have the same order, with NaN above all; their maximum is found eight
+at a time.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _SIGN = 1 << 63
 
 
 def _reinterpreted(to: types.Type, as_type: ir.Type, mask: int | None = None) -> Any:
-    """An intrinsic that reads the bits of a number as another type, without those that are not in a mask."""
+    """Return an intrinsic that reads the masked bits of a number as another type."""
 
     def reinterpret(_context: Any, number: Any) -> Any:
         def generate(_context: Any, builder: Any, _signature: Any, arguments: Any) -> Any:
@@ -35,7 +35,7 @@ size_bits: Any = _reinterpreted(types.int64, _INTEGER, _SIGN - 1)
 """size_bits(number): the bit pattern of |number|, as an integer."""
 
 bits: Any = _reinterpreted(types.int64, _INTEGER)
-"""bits(number): the bit pattern of a number that is not negative, as an integer."""
+"""bits(number): the bit pattern of a non-negative number, as an integer."""
 
 from_bits: Any = _reinterpreted(types.float64, ir.DoubleType())
 """from_bits(bits): the float with this bit pattern."""

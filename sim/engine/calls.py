@@ -1,8 +1,8 @@
-"""Calling a kernel through its address.
+"""Calls of kernels through their addresses.
 
-numba compiles a copy of a kernel into every kernel that calls it. Large kernels with many callers are
-compiled once instead, and called through an address that is kept in the `Problem`, under the kernel's name,
-which costs some nanoseconds.
+numba compiles a copy of a kernel into every kernel that calls it. Large kernels with many callers are instead
+compiled once and called through an address stored in the `Problem` under the kernel's name, which costs a few
+nanoseconds.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from .jit import kernel
 from .tables import Body, Matrix, PrescribedMotion, Problem, Scratch, State
 
 FLOATS = types.Array(types.float64, 1, "C")
-"""numba's type of a one-dimensional array of floats."""
+"""numba type of a one-dimensional array of floats."""
 _FLOAT = types.float64
 _BODY, _STATE, _SCRATCH, _MATRIX = (table.numba_type for table in (Body, State, Scratch, Matrix))
 _PROBLEM, _DRIVE = Problem.numba_type, PrescribedMotion.numba_type
@@ -31,7 +31,7 @@ INDIRECT_CALLS = {
     "update_friction_history": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
     "commit_plasticity": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
 }
-"""Signatures of the kernels that are called through their addresses, by their names."""
+"""Signatures of the kernels that are called through their addresses, by name."""
 
 _accelerations = calls(INDIRECT_CALLS["accelerations"])
 _accumulate_work = calls(INDIRECT_CALLS["accumulate_work"])
@@ -47,45 +47,47 @@ _commit_plasticity = calls(INDIRECT_CALLS["commit_plasticity"])
 
 @kernel(inline="always")
 def accelerate(problem, q, v, a):
-    """`forces.all.accelerations` of the problem's body, or `forces.plasticity.yielding_accelerations`."""
+    """Call `forces.all.accelerations` of the problem's body, or
+    `forces.plasticity.yielding_accelerations`."""
     _accelerations(problem.accelerations, problem.body, problem.state, problem.scratch, q, v, a)
 
 
 @kernel(inline="always")
 def accumulate(problem, drive, t, q, v, a, h):
-    """`solve.balance.work.accumulate_work`."""
+    """Call `solve.balance.work.accumulate_work`."""
     _accumulate_work(problem.accumulate_work, problem, drive, t, q, v, a, h)
 
 
 @kernel(inline="always")
 def factorise(problem, q, v, a, g, definite):
-    """`solve.linear.implicit.factorise_matrix` of the problem's body."""
+    """Call `solve.linear.implicit.factorise_matrix` of the problem's body."""
     body, state, matrix = problem.body, problem.state, problem.matrix
     return _factorise_matrix(problem.factorise_matrix, body, state, matrix, q, v, a, g, definite)
 
 
 @kernel(inline="always")
 def solve(problem, b):
-    """`solve.linear.implicit.solve_matrix` of the problem's body."""
+    """Call `solve.linear.implicit.solve_matrix` of the problem's body."""
     _solve_matrix(problem.solve_matrix, problem.body, problem.state, problem.matrix, b)
 
 
 @kernel(inline="always")
 def add_damping(problem, q, v, z, factor, out):
-    """`forces.all.add_damping_product` of the problem's body."""
+    """Call `forces.all.add_damping_product` of the problem's body."""
     _add_damping_product(problem.add_damping_product, problem.body, problem.state, q, v, z, factor, out)
 
 
 @kernel(inline="always")
 def no_tunnelling(problem, q, to_q):
-    """`forces.touch.contact.no_tunnelling`, where there is contact."""
+    """Call `forces.touch.contact.no_tunnelling`, where there is contact."""
     return problem.no_tunnelling == 0 or _no_tunnelling(problem.no_tunnelling, problem.body, q, to_q)
 
 
 @kernel(inline="always")
 def event_fraction(problem, old, new, h, tolerance):
-    """The part of a step to try instead of it: by `forces.plasticity.event_fraction`, where anything yields
-    or breaks, and by `forces.touch.friction_history.slip_fraction`, where there are tangential springs."""
+    """Return the fraction of a step to try instead of it: from `forces.plasticity.event_fraction`, where
+    anything yields or breaks, and from `forces.touch.friction_history.slip_fraction`, where there are
+    tangential springs."""
     part = 1.0
     if problem.event_fraction != 0:
         part = _event_fraction(
@@ -100,7 +102,7 @@ def event_fraction(problem, old, new, h, tolerance):
 
 @kernel(inline="always")
 def commit_plasticity(problem, old, new, h):
-    """`forces.plasticity.commit_plasticity` after a step, where anything yields or breaks."""
+    """Call `forces.plasticity.commit_plasticity` after a step, where anything yields or breaks."""
     return problem.commit_plasticity != 0 and _commit_plasticity(
         problem.commit_plasticity, problem, old.q, old.v, new.q, new.v, h
     )
@@ -108,7 +110,7 @@ def commit_plasticity(problem, old, new, h):
 
 @kernel(inline="always")
 def update_friction_history(problem, old, new, h):
-    """`forces.touch.friction_history.update_friction_history` after a step, where there are tangential
+    """Call `forces.touch.friction_history.update_friction_history` after a step, where there are tangential
     springs."""
     if problem.update_friction_history != 0:
         _update_friction_history(problem.update_friction_history, problem, old.q, old.v, new.q, new.v, h)

@@ -1,4 +1,4 @@
-"""How softrod's kernels are compiled; `kept` has where their machine code is kept."""
+"""Compilation of softrod's kernels; `kept` stores their machine code."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from .kept import keep
 _OPTIONS = {
     "nogil": True,
     "no_cfunc_wrapper": True,  # no kernel is called from C, so there is less to compile
-    # A division by zero gives an infinity, which the guard catches; there is no test at every division.
+    # A division by zero gives an infinity, which the guard catches, instead of a test at every division.
     "error_model": "numpy",
-    # No reference counting: a kernel allocates nothing, and its caller holds all its arrays.
+    # No reference counting: a kernel allocates nothing, and its caller keeps all its arrays alive.
     "_nrt": False,
-    # Said of every kernel, since numba otherwise takes these two over from the caller that is compiled first,
-    # so that the bits of a run would depend on the order in which kernels are compiled.
+    # Set for every kernel, since numba otherwise inherits these two from the caller that is compiled first,
+    # and the bits of a run would depend on the order in which kernels are compiled.
     "fastmath": False,
     "forceinline": False,
 }
-"""Options of numba for all kernels, unless they say otherwise."""
+"""Default numba options of all kernels."""
 
 
 FUSED = {"contract"}
@@ -31,11 +31,11 @@ which rounds once instead of twice."""
 
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
 """Fast-math flags of kernels whose operations may also be reordered. NaN and infinities keep their meaning,
-because guards and error estimates depend on them."""
+since guards and error estimates depend on them."""
 
 
 class _Noalias(Compiler):
-    """Compiles a function whose arrays share no memory, as C's `restrict` says."""
+    """Compiles a function whose arrays share no memory, like C's `restrict`."""
 
     def define_pipelines(self) -> Any:
         self.state.flags.noalias = True
@@ -45,18 +45,19 @@ class _Noalias(Compiler):
 def kernel(
     *, internal: bool = False, noalias: bool = False, kept: bool = True, **options: Any
 ) -> Callable[[Callable[..., Any]], Any]:
-    """A decorator that compiles a kernel: no Python objects, GIL released, machine code cached on disk.
+    """Return a decorator that compiles a kernel: no Python objects, GIL released, machine code cached on
+    disk.
 
-    Arithmetic is IEEE double precision in the order written, unless `fastmath` is `FUSED` or `FAST`. On one
-    machine every run gives the same bits.
+    Arithmetic is IEEE double precision in the order written, unless `fastmath` is `FUSED` or `FAST`. On a
+    given machine every run gives the same bits.
 
     Args:
-        internal: whether only other kernels call it; so it is for every name that starts with an underscore.
-        noalias: promises that nothing that is written through one array argument is read or written through
+        internal: whether only other kernels call it; implied by a name with a leading underscore.
+        noalias: promises that memory written through one array argument is not read or written through
             another. Loops then need no run-time checks before their vectorised versions, which for a dozen
             short arrays take longer than the loops.
-        kept: whether its machine code is kept on the disk by itself, too, and not only in that of its
-            callers; that of a function made by another one cannot be.
+        kept: whether its machine code is also cached by itself, not only as part of its callers'; impossible
+            for functions created by other functions.
         options: further options of `numba.njit`.
     """
 

@@ -1,14 +1,14 @@
-"""Where the machine code of kernels is kept from one start to the next.
+"""Persistent storage of the kernels' machine code.
 
-numba has a cache of its own. It goes by the path of a kernel's file, so that a new environment would compile
-everything again, and it looks at that one file alone, so that an edit of a callee in another file would go
-unnoticed. This one goes by content. Each kernel module has a folder whose name contains a hash of all that
-its machine code depends on: the sources of the module and of all modules that it imports kernels from, and
-the versions of Python, numba and LLVM. An edit changes the folders of the modules that it can affect, and no
-others. A file in the folder is the machine code of one kernel, for one list of argument types and one
-processor. So each environment of a user finds what any other has compiled, wherever they are.
+numba's own cache depends on the path of a kernel's file, so a new environment would recompile everything; and
+it checks only that file, so an edit of a callee in another file would go unnoticed. This cache depends on
+content. Each kernel module has a folder whose name contains a hash of everything that its machine code
+depends on: the sources of the module and of all modules that it imports kernels from, and the versions of
+Python, numba and LLVM. An edit changes the folders of the modules that it can affect, and no others. A file
+in the folder is the machine code of one kernel, for one list of argument types and one processor. All
+environments of a user therefore share what any of them has compiled, wherever they are.
 
-What is kept is executed: it is in a folder of the user's own, into which nobody else can write.
+The stored code is executed, so it is in a folder of the user's own, to which nobody else can write.
 """
 
 from __future__ import annotations
@@ -38,21 +38,21 @@ from numba.core.serialize import dumps
 from numba.core.sigutils import normalize_signature
 
 _SOURCES = Path(__file__).parents[1]
-"""The folder of the solver."""
+"""The folder of the package with the kernels."""
 _FOLDERS = ("engine", "forces", "solve")
-"""The folders in it that have kernel modules."""
+"""Its subfolders with kernel modules."""
 _IMPORT = re.compile(r"^from (\.+)(\w[\w.]*) import ", re.MULTILINE)
-"""Matches an import of one module by another."""
+"""Matches an import of one kernel module by another."""
 _LAYOUT = re.compile(
     r"^class \w+\((?:Table|Record)\):\n(?:(?: .*)?\n)*|^TERMS = .*\n|^_FIELDS = {\n(?: .*\n)*", re.MULTILINE
 )
-"""Matches the declaration of a table, and what the table of all terms is made from."""
+"""Matches the declaration of a table, and the source of the table of all terms."""
 _KEPT_DAYS = 30
 """Days after which unused machine code is removed."""
 
 
 def _modules_behind(name: str) -> set[str]:
-    """A kernel module, such as `forces.chain`, and all kernel modules that it imports, directly or not."""
+    """Return a kernel module, such as `forces.chain`, and all kernel modules that it depends on."""
     found: set[str] = set()
     # The layout of the tables is part of every kernel's machine code, even where it is not imported.
     waiting = [name, "engine.jit", "engine.table", "engine.tables"]
@@ -69,12 +69,12 @@ def _modules_behind(name: str) -> set[str]:
 
 
 def _module_of(function: Callable[..., Any]) -> str:
-    """The kernel module of a function, such as `forces.chain`."""
+    """Return the kernel module of a function, such as `forces.chain`."""
     return function.__module__.partition(".")[2]
 
 
 def _compiler() -> str:
-    """What compiles, with all that can change its machine code, but for the processor."""
+    """Describe the compiler, with everything except the processor that can change its machine code."""
     versions = (sys.implementation.cache_tag, numba.__version__, llvmlite.__version__)
     # Intel's library of vector functions is used where it is installed.
     uses_svml = numba.config.USING_SVML  # type: ignore[attr-defined]
@@ -83,7 +83,7 @@ def _compiler() -> str:
 
 @cache
 def source_hash(module: str) -> str:
-    """A hash that changes whenever the machine code of a module's kernels may change."""
+    """Return a hash that changes whenever the machine code of a module's kernels may change."""
     digest = hashlib.sha256(_compiler().encode())
     for name in sorted(_modules_behind(module)):
         digest.update(name.encode())
@@ -98,7 +98,7 @@ def _root() -> Path:
 
 
 def trouble() -> str:
-    """Why nothing can be kept, in words; empty if it can."""
+    """Return why nothing can be stored, in words; empty if it can."""
     root = _root()
     try:
         root.parent.mkdir(parents=True, exist_ok=True)
@@ -108,7 +108,7 @@ def trouble() -> str:
         return f"the folder {root.parent} cannot be written"
     if not os.access(root, os.W_OK):
         return f"the folder {root} cannot be written"
-    if hasattr(os, "geteuid"):  # on Windows, the folders of a user are the user's alone
+    if hasattr(os, "geteuid"):  # on Windows, a user's folders are private
         if found.st_uid != os.geteuid():
             return f"the folder {root} is another user's"
         if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
@@ -118,7 +118,7 @@ def trouble() -> str:
 
 @cache
 def cache_root() -> Path | None:
-    """The folder of all cached machine code, or None where nothing can be kept."""
+    """Return the folder of all cached machine code, or None where nothing can be stored."""
     if trouble():
         return None
     root = _root()
@@ -133,25 +133,25 @@ def cache_root() -> Path | None:
 
 @cache
 def cache_folder(module: str) -> Path | None:
-    """The folder for the machine code of a module's kernels, or None where nothing can be kept."""
+    """Return the folder for the machine code of a module's kernels, or None where nothing can be stored."""
     root = cache_root()
     if root is None:
         return None
     folder = root / f"{module}-{source_hash(module)}"
     try:
         folder.mkdir(exist_ok=True)
-        folder.touch()  # it is in use
+        folder.touch()  # marks it as used
     except OSError:
         return None
     return folder
 
 
 def keep(kernel: Any) -> None:
-    """Have the machine code of a kernel kept, and found again.
+    """Let the machine code of a kernel be stored and found again.
 
     Args:
-        kernel: numba's dispatcher. Its function is not one that another function has made: the variables of
-            that are no part of the key.
+        kernel: numba's dispatcher. Its function must not be created by another function, whose variables are
+            not part of the key.
     """
     folder = cache_folder(_module_of(kernel.py_func))
     if folder is not None:
@@ -159,7 +159,7 @@ def keep(kernel: Any) -> None:
 
 
 def file_of(kernel: Any, signature: tuple[numba.types.Type, ...]) -> Path | None:
-    """The file of a kernel's machine code, which is there if that is kept; None where nothing can be kept.
+    """Return the file of a kernel's machine code, which may not exist; None where nothing can be stored.
 
     Args:
         kernel: numba's dispatcher.
@@ -172,8 +172,8 @@ def file_of(kernel: Any, signature: tuple[numba.types.Type, ...]) -> Path | None
 class _Kept(_Cache):
     """The machine code of one kernel, in a file for each list of argument types and each processor.
 
-    A file is written under another name and then moved to its own: processes that compile the same at the
-    same time may both write it, and nobody reads half of one.
+    A file is written under a temporary name and then renamed, so that several processes compiling the same
+    kernel may all write it, and none reads an incomplete file.
     """
 
     def __init__(self, function: Callable[..., Any], folder: Path) -> None:
@@ -187,7 +187,7 @@ class _Kept(_Cache):
         return str(self._folder)
 
     def enable(self) -> None:
-        pass  # it always is
+        pass  # it is always enabled
 
     def disable(self) -> None:
         raise NotImplementedError
@@ -196,7 +196,7 @@ class _Kept(_Cache):
         raise NotImplementedError
 
     def file(self, types: Any, codegen: Any) -> Path:
-        # The types' names have all that they are told apart by; the tuple names the processor.
+        # The types' names are unique; the tuple names the processor.
         key = f"{self._key} {[str(one) for one in types]} {codegen.magic_tuple()}"
         return self._folder / f"{self._name}-{hashlib.sha256(key.encode()).hexdigest()[:16]}.nbc"
 
@@ -205,15 +205,15 @@ class _Kept(_Cache):
         try:
             content = pickle.loads(self.file(_types(sig), target_context.codegen()).read_bytes())
         except Exception:
-            # Never compiled, or lost by the disk as what was written last: it is compiled and written again.
+            # Never compiled, or lost by the disk because it was written last: recompile and write again.
             return None
         return CompileResult._rebuild(target_context, *content)
 
     def save_overload(self, sig: Any, data: Any) -> None:
         if data.lifted or data.library.has_dynamic_globals:
-            return  # it has addresses of this process
+            return  # it contains addresses of this process
         content = dumps(data._reduce())
-        with contextlib.suppress(OSError):  # a full disk: it is compiled again another time
+        with contextlib.suppress(OSError):  # the disk is full: compile again another time
             self._folder.mkdir(exist_ok=True)
             with tempfile.NamedTemporaryFile(dir=self._folder, delete=False) as written:
                 try:
@@ -226,5 +226,5 @@ class _Kept(_Cache):
 
 
 def _types(signature: Any) -> tuple[numba.types.Type, ...]:
-    """The types of the arguments, of a signature in any of numba's forms."""
+    """Return the argument types of a signature in any of numba's forms."""
     return normalize_signature(signature)[0]

@@ -1,4 +1,4 @@
-"""Where the arrays of tables lie in memory."""
+"""Memory layout of the arrays of tables."""
 
 from __future__ import annotations
 
@@ -11,20 +11,21 @@ import numpy as np
 from .table import Floats, Memory, Part, Record, Table, address_of
 
 _PAGE = 4096
-"""Bytes; loads wait for stores whose addresses differ by a multiple of that."""
+"""Address distance in bytes; loads wait for stores whose addresses differ by a multiple of it."""
 _ITEM = 8
-"""Bytes of a float."""
+"""Size of a float, bytes."""
 
 
 def aligned_arena(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Floats]:
-    """Zeroed arrays, one after another in one block of memory.
+    """Return zeroed arrays, laid out consecutively in one block of memory.
 
     Each is given as (count, first): its length, and the index of the element to align to 64 bytes because
     loops start there.
 
-    The speed of a short chain depends on how its arrays are aligned: a vector that crosses a cache line is
-    slower to load, and a load waits for a store whose address differs by a multiple of 4096 bytes. Left to
-    chance, run times differ by a fifth. The block starts `page_offset` bytes after such a multiple.
+    The speed of a short chain depends on the alignment of its arrays: a vector that crosses a cache line is
+    slower to load, and a load waits for a store whose address differs by a multiple of 4096 bytes. With
+    arbitrary alignment, run times vary by a fifth. The block starts `page_offset` bytes after such a
+    multiple.
     """
     room, spans = _spans(tuple(sizes))
     block, start = _block(room, page_offset)
@@ -32,14 +33,14 @@ def aligned_arena(sizes: Sequence[tuple[int, int]], page_offset: int) -> list[Fl
 
 
 def _block(room: int, page_offset: int) -> tuple[Floats, int]:
-    """Zeros, and the index from which on there is room for so many; see `aligned_arena`."""
+    """Return zeros, and the index from which `room` of them are available; see `aligned_arena`."""
     block = np.zeros(room + _PAGE // _ITEM)
     return block, (page_offset - address_of(block)) % _PAGE // _ITEM
 
 
 @lru_cache(maxsize=64)
 def _spans(sizes: tuple[tuple[int, int], ...]) -> tuple[int, list[tuple[int, int]]]:
-    """The numbers that an arena has, and the first and the last of each array in it."""
+    """Return the number of floats in an arena, and the start and end of each array in it."""
     spans, start = [], 0
     for count, first in sizes:
         begin = start + (-first) % 8
@@ -52,15 +53,14 @@ _Made = TypeVar("_Made", bound=Table)
 
 
 class Layout(Generic[_Made]):
-    """Makes tables like one that there is, with arrays of their own, all zero, in a fifth of the time.
+    """Makes tables like an existing one, with zeroed arrays of their own, in a fifth of the time.
 
-    The arrays of such a table, and of the tables in it, lie in one block of memory, and the words that
-    kernels read of all of them in another one. So a table is made of a copy of these words with other
-    addresses.
+    The arrays of such a table and its nested tables are in one block of memory, and the words that kernels
+    read of all of them in another. A new table is therefore a copy of these words with other addresses.
 
     Args:
         first: the table; all others have its numbers, and those of its arrays that are not in the block.
-        arrays: what `aligned_arena` made, in which the arrays of the table are.
+        arrays: the result of `aligned_arena` that contains the table's arrays.
         page_offset: see `aligned_arena`.
     """
 
@@ -74,7 +74,7 @@ class Layout(Generic[_Made]):
         self._add(first, words, {})
         self._words = np.array(words, np.int64)
         self._own = address_of(self._words)
-        # One where a word is an address in the block, or of another table.
+        # 1 where a word is an address in the block, or of another table.
         self._of_arrays, self._of_tables = np.zeros((2, len(words)), np.int64)
         for part in self._parts:
             for name, field in part.fields.items():
@@ -86,7 +86,7 @@ class Layout(Generic[_Made]):
                     self._of_arrays[at] = 1
 
     def _add(self, table: Any, words: list[int], known: dict[int, int]) -> int:
-        """Add a table and those in it; its number. `known`: the numbers of tables, by their addresses."""
+        """Add a table and those in it, and return its number; `known` maps addresses to table numbers."""
         if table.address() in known:
             return known[table.address()]
         same: dict[str, Any] = {}
@@ -102,7 +102,7 @@ class Layout(Generic[_Made]):
             elif isinstance(value, (Table, Record)):
                 fields[name] = self._add(value, words, known)
             elif isinstance(table, Table):
-                same[name] = value  # those of a record are in its words alone
+                same[name] = value  # the numbers of a record are only in its words
         begin = len(words)
         words += table.words()
         self._parts.append(Part(type(table), begin, len(words), same, fields))
@@ -110,7 +110,7 @@ class Layout(Generic[_Made]):
         return len(self._parts) - 1
 
     def made(self) -> _Made:
-        """A table with new arrays."""
+        """Return a table with new arrays."""
         block = np.zeros(self._room + _PAGE // _ITEM)
         address = address_of(block)
         way = (self._page_offset - address) % _PAGE

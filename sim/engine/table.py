@@ -1,10 +1,10 @@
 """Tables and records: groups of arrays and numbers that are passed to a kernel as one pointer.
 
-A kernel needs some hundred arrays. As separate arguments they would take seven machine words each at every
-call, which takes longer than the step of a short rope, and compiling that takes longer than compiling the
+A kernel needs about a hundred arrays. As separate arguments they would take seven machine words each at every
+call, which takes longer than a step of a short rope, and compiling that takes longer than compiling the
 arithmetic. A table is an object with typed, read-only attributes: numbers, arrays and other tables. Its
-values are kept in a block of memory, from which compiled code loads what it uses. `body.stiffness` is the
-array both in Python and in a kernel.
+values are stored in a block of memory, from which compiled code loads only those that it uses.
+`body.stiffness` is the array both in Python and in a kernel.
 
 A record is a table whose numbers change: Python and kernels read `run.time` and write `run.time = 0.0`.
 """
@@ -41,21 +41,21 @@ Rows = NDArray[np.float64]
 Indices = NDArray[np.int64]
 """A one-dimensional array of integers."""
 
-# By the name of a field's annotation: numba's type of a number, and item type and dimensions of an array.
+# By the name of a field's annotation: numba's type of a number, or item type and dimensions of an array.
 _NUMBERS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
 _ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
 _WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()  # LLVM's types
 _ITEM = 8  # bytes of a float, an integer and a pointer
-_AT: Any = (ctypes.c_char * 0).from_buffer  # no bytes at the start of anything that can be written to
+_AT: Any = (ctypes.c_char * 0).from_buffer  # zero bytes at the start of any writable buffer
 
 
 class _Field(NamedTuple):
     """One field of a table."""
 
-    start: int  # where its value is kept, in words from the start of the block
+    start: int  # offset of its value, in words from the start of the block
     type: types.Type  # numba's type
-    dtype: np.dtype[Any] | None = None  # of an array
-    dimensions: int = 0  # of an array
+    dtype: np.dtype[Any] | None = None  # for an array
+    dimensions: int = 0  # for an array
     is_float: bool = False
 
 
@@ -77,20 +77,20 @@ _CLASSES: dict[str, type[_Block]] = {}
 
 
 class _Block:
-    """What tables and records have in common; a subclass declares its fields as annotated attributes.
+    """Base of tables and records; a subclass declares its fields as annotated attributes.
 
     Raises:
-        TypeError: a field is missing or unknown, or an array has another type than the kernels expect.
+        TypeError: a field is missing or unknown, or an array does not have the type that the kernels expect.
     """
 
     mutable: ClassVar[bool] = False
-    changing: ClassVar[frozenset[str]] = frozenset()  # fields of a table whose arrays change all the same
-    _bytes: ClassVar[int]  # of the block
-    numbers: ClassVar[tuple[str, ...]]  # of a record: names of the fields that are numbers
-    _starts: ClassVar[list[int]]  # where these are kept, as in `_Field`
+    changing: ClassVar[frozenset[str]] = frozenset()  # fields of a table whose arrays change nevertheless
+    _bytes: ClassVar[int]  # size of the block
+    numbers: ClassVar[tuple[str, ...]]  # for a record: names of the number fields
+    _starts: ClassVar[list[int]]  # offsets of these, as in `_Field`
     _others: ClassVar[set[str]]  # names of all other fields
     fields: ClassVar[dict[str, _Field]]
-    tables: ClassVar[frozenset[str]]  # names of those that are tables
+    tables: ClassVar[frozenset[str]]  # names of the table fields
     numba_type: ClassVar[TableType]
     _numba_type_: ClassVar[TableType]
 
@@ -103,7 +103,7 @@ class _Block:
                 cls.fields[name] = _Field(start, types.Array(item, dimensions, "C"), dtype, dimensions)
                 start += 1 + dimensions
             else:
-                # A table may be declared later, but not one of a subclass.
+                # A field's table may be declared later, but not its subclass.
                 table = _CLASSES[kind].numba_type if kind in _CLASSES else TableType(kind, False)
                 type_ = _NUMBERS.get(kind, table)
                 cls.fields[name] = _Field(start, type_, is_float=kind == "float")
@@ -120,13 +120,13 @@ class _Block:
         self._fill(bytearray(self._bytes), values)
 
     def _fill(self, block: bytearray, values: dict[str, Any]) -> None:
-        """Take over values, and write them into a block that has all others."""
+        """Store values, and write them into a block that contains all others."""
         wholes, floats = memoryview(block).cast("q"), memoryview(block).cast("d")
         self.__dict__.update(_wholes=wholes, _floats=floats, _address=ctypes.addressof(_AT(block)))
         self._write(values)
 
     def _write(self, values: dict[str, Any]) -> None:
-        """Take over values, and write them into the block."""
+        """Store values, and write them into the block."""
         wholes, floats, fields = self.__dict__["_wholes"], self.__dict__["_floats"], self.fields
         for name, value in values.items():
             start, _, dtype, dimensions, is_float = fields[name]
@@ -145,7 +145,7 @@ class _Block:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            """An array or a table in one that is `Memory.table`, made when it is first asked for."""
+            """Return an array or a table from a `Memory`, made on first use."""
             memory, part = self.__dict__.get("_made_of", (None, None))
             if memory is None or name not in part.fields:
                 raise AttributeError(f"{type(self).__name__} has no {name}")
@@ -154,7 +154,7 @@ class _Block:
 
     @property
     def memory(self) -> Memory:
-        """The memory of a table that a `Layout` has made."""
+        """The memory of a table made by a `Layout`."""
         return self.__dict__["_made_of"][0]
 
     def address(self) -> int:
@@ -162,16 +162,16 @@ class _Block:
         return self.__dict__["_address"]
 
     def words(self) -> list[int]:
-        """What is in the block, as integers."""
+        """Return the contents of the block, as integers."""
         return self.__dict__["_wholes"].tolist()
 
     def fill_in(self, **values: Any) -> None:
-        """Enter values into a table that nobody has used yet."""
+        """Set values in a table that has not been used yet."""
         self._write(values)
 
     @classmethod
     def empty(cls) -> Self:
-        """A table whose arrays have no elements and whose numbers are zero; so are the tables in it."""
+        """Return a table with empty arrays and zero numbers, and the same for nested tables."""
 
         def nothing(field: _Field) -> Any:
             if field.dtype is not None:
@@ -181,7 +181,7 @@ class _Block:
         return cls(**{name: nothing(field) for name, field in cls.fields.items()})
 
     def read_only(self) -> Self:
-        """The table, with its arrays and those of its tables read-only from now on, but for `changing`."""
+        """Make all arrays read-only, nested tables included, except for `changing`; return the table."""
         known = self.__dict__
         if "_is_read_only" not in known:
             for name, field in self.fields.items():
@@ -192,7 +192,7 @@ class _Block:
         return self
 
     def arrays(self) -> Iterator[tuple[str, NDArray[Any]]]:
-        """The names and values of the fields that are arrays."""
+        """Yield the names and values of the array fields."""
         for name in self.fields:
             if isinstance(value := getattr(self, name), np.ndarray):
                 yield name, value
@@ -203,10 +203,10 @@ class Part(NamedTuple):
 
     Attributes:
         kind: its class.
-        begin, end: its words in those of all.
+        begin, end: range of its words among all words.
         same: values that all copies of the memory share, by name.
-        fields: of each array in `Memory.room`, its first number and the one behind its last, and the length
-            of its rows, or 0; of each table, its number among all; by name.
+        fields: by name, for each array the start and end of its numbers in `Memory.room` and the length of
+            its rows, or 0; for each table, its index among all tables.
     """
 
     kind: type[_Block]
@@ -217,7 +217,7 @@ class Part(NamedTuple):
 
 
 class Memory:
-    """What tables that are copied together are made of; each when it is first asked for.
+    """Storage of tables that are copied together; each is made on first use.
 
     Args:
         room: the arrays of all of them.
@@ -225,7 +225,7 @@ class Memory:
         parts: the tables.
 
     Attributes:
-        room, words: these.
+        room, words: as above.
     """
 
     def __init__(self, room: Floats, words: Indices, parts: list[Part]) -> None:
@@ -234,7 +234,7 @@ class Memory:
         self._floats = self._wholes.cast("B").cast("d")
 
     def of(self, field: tuple[int, int, int] | int) -> Any:
-        """An array or a table, see `Part.fields`."""
+        """Return an array or a table, see `Part.fields`."""
         if isinstance(field, int):
             part = self._parts[field]
             kind, begin, end, same, _ = part
@@ -252,10 +252,10 @@ class Memory:
 
 
 def address_of(array: NDArray[Any]) -> int:
-    """The address of an array's elements."""
+    """Return the address of an array's elements."""
     try:
-        return ctypes.addressof(_AT(array))  # in a fifth of the time that numpy takes to say it
-    except TypeError:  # it cannot be written to
+        return ctypes.addressof(_AT(array))  # in a fifth of the time that numpy takes
+    except TypeError:  # it is read-only
         return array.__array_interface__["data"][0]
 
 
@@ -267,7 +267,7 @@ class Table(_Block):
         raise AttributeError(f"{type(self).__name__}.{name}: a table is read-only; see `replaced`")
 
     def replaced(self, **changes: Any) -> Self:
-        """A copy of the table with other values in some fields; arrays are not copied."""
+        """Return a copy of the table with other values in some fields; arrays are not copied."""
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__)
         copy.__dict__.pop("_is_read_only", None)
@@ -275,12 +275,12 @@ class Table(_Block):
         return copy
 
     def copied(self) -> Self:
-        """A copy of the table with copies of all its arrays."""
+        """Return a copy of the table with copies of all its arrays."""
         return self.replaced(**{name: array.copy() for name, array in self.arrays()})
 
 
 class Record(_Block):
-    """The base of all records: their numbers can be set, and are zero at first; their arrays stay."""
+    """The base of all records: their numbers can be set and are initially zero; their arrays are fixed."""
 
     mutable = True
 
@@ -296,19 +296,19 @@ class Record(_Block):
 
     def __init__(self, **values: Any) -> None:
         if not self._others <= values.keys() <= self.fields.keys():
-            super().__init__(**values)  # which says what is wrong
+            super().__init__(**values)  # which raises the right error
         self._fill(bytearray(self._bytes), values)
 
     @classmethod
     def place(cls, name: str) -> int:
-        """Where `wholes` and `floats` have a number."""
+        """Return the index of a number in `wholes` and `floats`."""
         return cls.fields[name].start
 
     @property
     def wholes(self) -> memoryview:
-        """All words of the record as integers.
+        """All words of the record, as integers.
 
-        To read one in it takes a third of the time of an attribute; so for what is read after each step of a
+        Reading one takes a third of the time of an attribute, so this is for values read after each step of a
         short body.
         """
         return self.__dict__["_wholes"]
@@ -325,14 +325,14 @@ class Record(_Block):
             words[start] = 0
 
     def take_over(self, other: Self) -> None:
-        """Set all numbers to those of another record."""
+        """Copy all numbers from another record."""
         words, others = self.__dict__["_wholes"], other.__dict__["_wholes"]
         for start in self._starts:
             words[start] = others[start]
 
 
 def _unchanging(name: str) -> property:
-    """An array or a table of a record, as an attribute in Python."""
+    """Return an array or a table of a record as a Python property."""
 
     def value(record: Any) -> Any:
         values = record.__dict__
@@ -342,7 +342,7 @@ def _unchanging(name: str) -> property:
 
 
 def _number(field: _Field) -> property:
-    """A number of a record, as an attribute in Python."""
+    """Return a number of a record as a Python property."""
     start, view = field.start, "_floats" if field.is_float else "_wholes"
 
     def value(record: Any) -> Any:
@@ -395,7 +395,7 @@ def _load_field(context: Any, builder: Any, kind: TableType, table: Any, name: s
         index = builder.gep(words, [ir.Constant(ir.IntType(32), start + offset)])
         loaded = builder.load(builder.bitcast(index, as_type.as_pointer()))
         if not changes:
-            # It never does, whatever a kernel writes elsewhere, so the load may be moved out of loops.
+            # It never changes, whatever a kernel writes elsewhere, so the load may be moved out of loops.
             loaded.set_metadata("invariant.load", builder.module.add_metadata([]))
         return loaded
 

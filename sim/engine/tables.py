@@ -1,8 +1,8 @@
 """The tables that the kernels read and write.
 
-Every array is C-contiguous and holds float64 or int64, so that a kernel is compiled for one type only.
+Every array is C-contiguous and contains float64 or int64, so that a kernel is compiled for one type only.
 
-The masses are at indices 1 to n, and the indices of an array are called slots. Slot 0 is padding, so that the
+The masses are at indices 1 to n; the indices of an array are called slots. Slot 0 is padding, so that the
 chain's loops can look back without a test. The slots after n are padding up to a multiple of eight, so that
 vectorised loops have no scalar remainder, which for twelve masses would be most of the work. Springs are
 padded in the same way. A padding mass never moves, and a padding spring exerts no force.
@@ -19,29 +19,29 @@ if TYPE_CHECKING:
 
 
 class Links(Table):
-    """Read-only. What joins ends in pairs: springs join masses, joints join springs.
+    """Read-only. Connections of pairs of ends: springs connect masses, joints connect springs.
 
-    Pairs first to loose - 1 are in runs: number first + i of a run joins the ends a + i and b + i. See
-    `forces.runs` for the rows into which they exert something, and why the others have slots.
+    Pairs first to loose - 1 are in runs: number first + i of a run connects the ends a + i and b + i. See
+    `forces.runs` for the rows to which they write, and why the others have slots.
     """
 
-    first: Indices  # (R,) of each run its first pair
-    a: Indices  # (R,) the ends of that
+    first: Indices  # (R,) first pair of each run
+    a: Indices  # (R,) its ends
     b: Indices  # (R,)
     count: Indices  # (R,) number of pairs
     row: Indices  # (R,) where in the rows the run begins
-    at_a: Indices  # (D,) where in them the end 0 looks as an end a, one for each row; an even number
+    at_a: Indices  # (D,) where in them end 0 is as an end a, one for each row; an even number
     at_b: Indices  # (D,) and as an end b
     room: int  # length of all rows together
-    loose: int  # the first pair that is in no run
-    behind: int  # that behind the last
+    loose: int  # first pair that is in no run
+    behind: int  # one past the last pair
     ends: int  # number of ends
     # Of the pairs in no run, each end has one in each layer as an end b and one as an end a, or the number of
-    # a pair that exerts nothing. So the common case is a gather without branches. The others are in a list.
+    # a pair without effect. The common case is thus a gather without branches. The others are in a list.
     layers: int
     into: Indices  # (layers ends,)
     out_of: Indices  # (layers ends,)
-    rest: Indices  # of each pair in the list: its number,
+    rest: Indices  # for each pair in the list: its number,
     rest_end: Indices  # the end that it acts on,
     rest_sign: Floats  # and 1 for an end b, -1 for an end a
 
@@ -57,10 +57,10 @@ class Limits(Table):
 
 
 class Muscles(Table):
-    """Read-only. S springs and J joints that muscles move."""
+    """Read-only. The S springs and J joints that muscles actuate."""
 
     present: bool  # there are any
-    period: float  # of the beat, s; 0 where it does not go on
+    period: float  # of the beat, s; 0 where it is not periodic
     spring: Indices  # (S,) each spring
     stretch: Rows  # (S, 4) a `Row` for each
     joint: Indices  # (J,) each joint
@@ -68,10 +68,10 @@ class Muscles(Table):
 
 
 class Body(Table):
-    """Read-only: which masses the springs connect, and the springs' constants. S springs, J joints, n masses.
+    """Read-only: the connections and constants of the springs. S springs, J joints, n masses.
 
-    In a chain, spring s connects the masses in slots s + 1 and s + 2, and joint j holds springs j and j + 1.
-    A ring has the same numbering, with slot n + 1 standing for the first mass and spring n for the first
+    In a chain, spring s connects the masses in slots s + 1 and s + 2, and joint j the springs j and j + 1. A
+    ring has the same numbering, with slot n + 1 standing for the first mass and spring n for the first
     spring.
     """
 
@@ -95,87 +95,89 @@ class Body(Table):
     joint_rest: Floats  # (J,) degrees, before the shift
     angular_stiffness: Floats  # stiffness of joint j at index j + 1, kg/s²; at index 0 a ring's last, or zero
     torque_damping: Floats  # damping of joint j at index j + 1, kg/s
-    hinged: int  # number of springs that joints hold, which come before all others
+    hinged: int  # number of springs attached to joints, which precede all others
     held: Links  # these springs, between slots of masses
     free: Links  # the others
     bends: Links  # joints, between springs
-    environment: Environment  # what else acts on the masses
-    limits: Limits  # what springs and joints bear
-    muscles: Muscles  # what moves rest lengths and rest angles by itself
+    environment: Environment  # everything else that acts on the masses
+    limits: Limits  # strengths of springs and joints
+    muscles: Muscles  # what changes rest lengths and rest angles by itself
 
     @property
     def joint_stiffness(self) -> Floats:
-        """(J,) a view of the joints' part of `angular_stiffness`; for Python only."""
+        """The (J,) view of the joints' part of `angular_stiffness`; for Python only."""
         return self.angular_stiffness[1 : self.joints + 1]
 
 
 class State(Table):
-    """Mutable: positions and velocities, what keys and dragging change while a body moves, and its memory.
+    """Mutable: positions and velocities, what keys and dragging change during a motion, and its memory.
 
     Vectors are flat: x of every slot, then y of every slot. There is no mass in the first slot of either
     half, nor in the last `SPARE` ones. Loops over a flat vector skip these slots at its two ends, so that
-    they start where loops over masses start: the vectors that one loop stores are those that the next one
-    loads, which avoids stalls.
+    they start where loops over masses start: one loop then loads the same vectors that another one stored,
+    which avoids stalls.
     """
 
     q: Floats  # (2 slots) positions, px
     v: Floats  # (2 slots) velocities, px/s
     controls: Floats  # rest_length_scale, rest_angle_shift (degrees)
-    rest_tension: Floats  # (S padded + 1) stiffness * present rest length, kg px/s²
-    torque_cos: Floats  # stiffness * cos(rest angle now), kg/s², of joint j at index j + 1; index 0 as above
+    rest_tension: Floats  # (S padded + 1) stiffness * current rest length, kg px/s²
+    torque_cos: (
+        Floats  # stiffness * cos(current rest angle), kg/s², of joint j at index j + 1; index 0 as above
+    )
     torque_sin: Floats  # the same with the sine
-    torque_rest: Floats  # present rest angle, radians, of joint j at index j + 1
-    # What acts on each mass besides the springs; all zero for a mass that is held.
+    torque_rest: Floats  # current rest angle, radians, of joint j at index j + 1
+    # What acts on each mass besides the springs; all zero for a held mass.
     inverse_mass: Floats  # (slots,) 1/kg
     air: Floats  # (slots,) air friction / mass, 1/px
-    gx: Floats  # (slots,) acceleration by gravity and by the constant force on each mass, px/s²
+    gx: Floats  # (slots,) acceleration due to gravity and the constant force on each mass, px/s²
     gy: Floats
-    clock: Floats  # (1,) time of the gusts, and that for which muscles are set, s
+    clock: Floats  # (1,) time of the gusts and of the muscles, s
     # Empty where nothing yields or breaks.
-    set_length: Floats  # (S,) px by which rest lengths have moved for good
-    set_angle: Floats  # (J,) degrees by which rest angles have
-    hardened: Floats  # (S,) kg px/s² by which yield forces have grown
-    # `rest_tension` and `torque_rest` (here of joint j at index j) without what yields in the present step.
+    set_length: Floats  # (S,) permanent changes of rest lengths, px
+    set_angle: Floats  # (J,) permanent changes of rest angles, degrees
+    hardened: Floats  # (S,) increases of yield forces, kg px/s²
+    # `rest_tension` and `torque_rest` (here of joint j at index j) without yielding in the current step.
     trial_tension: Floats  # (S,) kg px/s²
     trial_angle: Floats  # (J,) radians
-    broken: Floats  # (S,) 1 for a spring that is broken, else 0
-    # For derivatives, see `forces.plasticity`: 1 where a spring, or behind them a joint, yields as time
-    # goes on, else -1; and at the end 1 where it does so whatever the force is, else 0.
+    broken: Floats  # (S,) 1 for a broken spring, else 0
+    # For derivatives, see `forces.plasticity`: 1 where a spring, or after them a joint, is yielding, else -1;
+    # and at the end 1 where it does so whatever the force is, else 0.
     yields: Floats  # (S + J + 1,)
-    # Tangential springs as they were at the end of the last step, see `forces.touch.friction_history`;
-    # empty where there are none. Those between W walls and masses:
+    # Tangential springs as they were at the end of the last step, see `forces.touch.friction_history`; empty
+    # where there are none. Those between W walls and masses:
     wall_stretch: Rows  # (W, slots) px
     wall_place: (
-        Rows  # (W, slots) where along the wall the mass was, px; `forces.touch.walls.NOWHERE` without one
+        Rows  # (W, slots) position of the mass along the wall, px; `forces.touch.walls.NOWHERE` without one
     )
-    # Those of contact, by the spring that is touched, then by the mass that touches it:
-    contact_start: Indices  # (S + 1,) where those of each spring start; after the last one is only room
+    # Those of contact, by the touched spring, then by the touching mass:
+    contact_start: Indices  # (S + 1,) where those of each spring start; after the last one is unused space
     contact_mass: Indices  # slots of the masses
     contact_stretch: Rows  # (n, 6) stretch, px, and `forces.touch.pairs.place_of`
 
     @property
     def slots(self) -> int:
-        """Number of slots, padding included."""
+        """The number of slots, padding included."""
         return self.q.size // 2
 
     @property
     def x(self) -> Floats:
-        """(slots,) a view of the first half of `q`; for Python only, like the three below."""
+        """The (slots,) view of the first half of `q`; for Python only, like the three below."""
         return self.q[: self.slots]
 
     @property
     def y(self) -> Floats:
-        """(slots,) a view of the second half of `q`."""
+        """The (slots,) view of the second half of `q`."""
         return self.q[self.slots :]
 
     @property
     def vx(self) -> Floats:
-        """(slots,) a view of the first half of `v`."""
+        """The (slots,) view of the first half of `v`."""
         return self.v[: self.slots]
 
     @property
     def vy(self) -> Floats:
-        """(slots,) a view of the second half of `v`."""
+        """The (slots,) view of the second half of `v`."""
         return self.v[self.slots :]
 
 
@@ -184,48 +186,49 @@ class Scratch(Table):
 
     lx: Floats  # (S padded) vectors of the springs, px
     ly: Floats
-    dvx: Floats  # their rates, px/s, as far as they are needed
+    dvx: Floats  # their rates, px/s, where needed
     dvy: Floats
     inverse: Floats  # 1 / length, 1/px; `chain_accelerations` stores only that of the shortest, at index 0
-    held_x: Floats  # (S padded) force of the joints on the b end of each spring that they hold, kg px/s²
+    held_x: Floats  # (S padded) force of the joints on the b end of each attached spring, kg px/s²
     held_y: Floats
     tx: Floats  # force on the b end of each spring that is in no run, kg px/s²
     ty: Floats
     fx: Floats  # (slots,) force of springs and joints on each mass, kg px/s²
     fy: Floats
-    # What is in the rows of `Body.held`, `free` and `bends`, and what joints in no run exert, kg px/s²:
+    # Contents of the rows of `Body.held`, `free` and `bends`, and forces of joints in no run, kg px/s²:
     held_rows: Rows  # (2, room) x and y on b ends
     free_rows: Rows
     joint_rows: Rows  # (4, room) x and y on the b end of each spring a, then on that of each spring b
     joint_alone: Rows  # (4, J + 1) of joint j; the last one exerts nothing
-    # Where the next of a state's `contact_mass` and `contact_stretch` are made.
+    # Where the next `contact_mass` and `contact_stretch` of a state are made.
     next_mass: Indices
     next_stretch: Rows
-    # Pairs that touch, whose forces are computed together, see `forces.touch.batch`; empty without contact.
+    # Touching pairs, whose forces are computed together, see `forces.touch.batch`; empty without contact.
     batch_mass: Indices  # (B,) slots of the mass and of the ends of the spring
     batch_a: Indices
     batch_b: Indices
     batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
-    # Of tangential springs (8, B): now, px; a row of `State.contact_stretch`; 1 if there is one, else 0.
+    # Tangential springs (8, B): current stretch, px; a row of `State.contact_stretch`; 1 if there is one,
+    # else 0.
     batch_stretch: Rows
 
 
 CONTROL_SCALE = 0
-"""In `State.controls`: the factor of all rest lengths."""
+"""Index in `State.controls` of the factor of all rest lengths."""
 CONTROL_SHIFT = 1
-"""In `State.controls`: the angle that is added to all rest angles, degrees."""
+"""Index in `State.controls` of the angle added to all rest angles, degrees."""
 SCALE_MIN = 0.01
 """The smallest factor of rest lengths."""
 SCALE_MAX = 100.0
 """The largest factor of rest lengths."""
 
 SHORTEST_SQUARED = 1e-300
-"""Smallest softening, px². It changes no length but zero: a spring of zero length then exerts no force,
+"""Smallest softening, px². It changes no length but zero: a spring of zero length then exerts no force
 instead of making everything NaN."""
 
 
 def padded(count: int) -> int:
-    """The count, rounded up to a multiple of eight."""
+    """Return the count, rounded up to a multiple of eight."""
     return -(-count // 8) * 8
 
 
@@ -239,7 +242,7 @@ class Matrix(Table):
     blocks: Floats  # the factors; see `solve.linear.sparse`
     # A spanning forest: an order of the masses in which every mass comes after its parent.
     walk: Indices  # (n,) slots of the masses in this order
-    parent: Indices  # (slots,) slot of the parent; 0 for a mass that is held or first in its part of the body
+    parent: Indices  # (slots,) slot of the parent; 0 for a held mass or the first one in its part of the body
     # Rows are numbered in the order of elimination.
     order: Indices  # (n,) slot of the mass that row i belongs to
     row_start: Indices  # (n + 1,) first block of each row
@@ -248,11 +251,11 @@ class Matrix(Table):
     slot: Indices  # (n,) scratch: block of the current row in each column
     spring_target: Indices  # (4 S,) blocks that a spring adds to, at rows and columns bb, ba, ab, aa
     joint_target: Indices  # (16 J,) blocks that a joint adds to, the same for each pair of its springs
-    # Of each loop in turn, blocks of the row of each of its masses: in a small loop with all masses of it, in
-    # its order; in another one with the masses before and after.
+    # For each loop in turn, blocks in the row of each of its masses: in a small loop with all its masses, in
+    # its order; in another one with the previous and next masses.
     loop_target: Indices
     # For the products of gradients of the B fillings that are not small, see `solve.linear.implicit`.
-    bordered: Indices  # (B,) their numbers
+    bordered: Indices  # (B,) numbers of these fillings
     low_rank: Rows  # (2 B, 2 slots)
     corrections: Rows  # (B + 1, B)
     # For contact, see `solve.linear.krylov`; empty where there is none.
@@ -264,13 +267,13 @@ class Matrix(Table):
 
 
 class PrescribedMotion(Table):
-    """How held masses move, and what held keys do, during a call."""
+    """How held masses move, and the effect of held keys, during a call."""
 
     moving: bool  # any mass is listed here, a key is held, or anything changes with time
     pressed: bool  # a key is held
     timed: bool  # there are muscles, or a force changes with time by itself, see `forces.term.Term`
     start: float  # time at the start of the call, s
-    duration: float  # s until masses that are led straight reach their targets; infinite if there are none
+    duration: float  # time until masses guided straight reach their targets, s; infinite if there are none
     mass: Indices  # (M,) slots of the masses
     rows: Rows  # (M, 12), a `LeadParameters` each
     scale: float  # of rest lengths at the start
@@ -280,9 +283,9 @@ class PrescribedMotion(Table):
 
 
 class LeadParameters(NamedTuple):
-    """How a held mass is led."""
+    """The guided motion of a held mass."""
 
-    x: float  # px, where it is at the start, without its circle
+    x: float  # px, its position at the start, without its circle
     y: float
     vx: float  # px/s, at the start
     vy: float
@@ -290,96 +293,96 @@ class LeadParameters(NamedTuple):
     ay: float
     jx: float  # px/s³, constant
     jy: float
-    hand: float  # 0 where the damping treats a dragged mass as being at rest, 1 elsewhere
+    hand: float  # 0 where the damping treats a dragged mass as at rest, 1 elsewhere
     radius: float  # px, of its circle; 0 where there is none
     omega: float  # angular frequency, 1/s
     ramp: float  # time constant, s
 
 
 class Progress(Record):
-    """How far a run has come, and what it did."""
+    """The progress of a run, and its counters."""
 
     time: float  # simulated time, s
     origin: float  # time at which the run began, s
-    step: float  # the next step that the current method would try, s; 0 where unknown
+    step: float  # next step that the current method would try, s; 0 where unknown
     farthest: float  # largest coordinate of a good state, px
-    fastest: float  # largest velocity component of one, px/s
-    current: bool  # the accelerations belong to the present state
-    since: int  # steps since these were last evaluated anew, as something else than a step had changed them
-    status: int  # GOOD or what is wrong, see `solve.steps.guard`
-    mass: int  # slot of the mass at which it was found
-    steps: int  # accepted ones
+    fastest: float  # largest velocity component of a good state, px/s
+    current: bool  # the accelerations belong to the current state
+    since: int  # steps since these were recomputed after something other than a step changed the motion
+    status: int  # GOOD or the kind of failure, see `solve.steps.guard`
+    mass: int  # slot of the mass where the failure was found
+    steps: int  # number of accepted steps
     rejected: int
     forces: int  # evaluations of the accelerations
-    matrices: int  # factorised ones
+    matrices: int  # factorisations
     fallbacks: int  # fallback steps
 
 
 class PhasePoint(Table):
-    """A point of the motion: what a step leads from, and to; vectors as in `State`."""
+    """A point of the motion, the start or end of a step; vectors as in `State`."""
 
     q: Floats  # (2 slots) positions, px
     v: Floats  # (2 slots) velocities, px/s
-    a: Floats  # (2 slots) accelerations, px/s²; of no meaning for methods that do not keep them
+    a: Floats  # (2 slots) accelerations, px/s²; meaningless for methods that do not keep them
 
 
 class StepAttempt(Record):
-    """One step that is tried, see `solve.steps.loop`."""
+    """An attempted step, see `solve.steps.loop`."""
 
     h: float  # its length, s; of each, if several are done at once
-    start: float  # the time from which it leads, s; of the last one
-    end: float  # the time that it leads to, s
+    start: float  # the time at which it starts, s; of the last one
+    end: float  # the time at which it ends, s
     max_position: float  # largest coordinate at its end, px; infinite where unknown, as are the next two
     max_speed: float  # its largest velocity component, px/s
     max_move: float  # largest change of a coordinate, px, if the last forces are those at its end
-    event_fraction: float  # part of it to try instead, which ends at an event in it; 1 if it has none
-    failures: int  # number of steps refused since the last good one
-    number: int  # of fixed steps before it
+    event_fraction: float  # fraction of it to try instead, which ends at an event in it; 1 without an event
+    failures: int  # number of steps rejected since the last good one
+    number: int  # number of fixed steps before it
     max_steps: int  # number of steps that may be done at once
-    remaining: float  # time that is left until the end of the run, s; unused with a fixed step
-    count: int  # number that was done
+    remaining: float  # time left until the end of the run, s; unused with a fixed step
+    count: int  # number of steps done
 
 
 class VerletState(Record):
-    """What velocity Verlet keeps from step to step."""
+    """The memory of velocity Verlet from step to step."""
 
     cap: float  # the largest step that seems to be stable, s
     limited: int  # number of steps in this call that were limited by stability
     row: int  # the row with the accelerations that predict velocities
     failed: float  # the step that gave that limit, s
-    sure: bool  # the failure before gave about the same limit
-    since: int  # number of steps for which it has held
-    held: bool  # it determines the next step, and not the error
+    sure: bool  # the previous failure gave about the same limit
+    since: int  # number of steps for which the limit has been kept
+    held: bool  # the limit, not the error, determines the next step
     reach: float  # how far each mass may move before a spring could have turned too far, px; 0: unknown
     speed: float  # the largest velocity component, px/s
 
 
 class AlphaState(Record):
-    """What generalized-alpha keeps from step to step."""
+    """The memory of generalized-alpha from step to step."""
 
     rows: Rows  # (4, 2 slots); no rows where the method is not used
-    last: float  # the last step that is part of `rows`, s; 0 where there is none
+    last: float  # the last step included in `rows`, s; 0 where there is none
     older: float  # the step before it, s; 0 where there is none
     solvable: float  # the largest step for which Newton's method seems to converge, s; 0 where unknown
     steps: int  # number of steps since it took over
     contraction: float  # size of Newton's second update by the square of the first, 1/px; 0: unknown
-    next_cube: float  # three time spans of the step that is tried multiplied, s³
-    cube: float  # those of the last step, to which the error of its prediction is proportional; 0: unknown
+    next_cube: float  # product of three time spans of the attempted step, s³
+    cube: float  # that of the last step, to which its prediction error is proportional; 0: unknown
 
 
 class AdamsState(Record):
-    """What Adams methods keep from step to step."""
+    """The memory of Adams methods from step to step."""
 
     past: Rows  # (PAST, 2 slots) past accelerations; no rows where the method is not used
     time: float  # of the latest row of `past`, s
     spacing: float  # the time between two rows, s
     degree: int  # of the polynomial
-    target_degree: int  # the degree that it raises its degree to
+    target_degree: int  # the degree to which it is being raised
     head: int  # the row with the latest acceleration
-    known: int  # number of rows, from the latest on, at the present spacing
+    known: int  # number of rows, from the latest back, at the current spacing
     since: int  # number of steps since the step size changed
     kinks: bool  # the kinks of air friction matter, see `solve.steps.kinks`
-    turns: bool  # in the step that is tried, a velocity changes its sign, and they matter
+    turns: bool  # a velocity changes its sign in the attempted step, and kinks matter
 
 
 VERLET, ROSENBROCK, ALPHA, ADAMS = 0, 1, 2, 3
@@ -389,28 +392,26 @@ CHOICES = 4
 
 
 class AutoState(Record):
-    """What `auto` has learnt of its methods."""
+    """What `auto` has learnt about its methods."""
 
     step: Floats  # (CHOICES,) the next step of each, s
-    pace: (
-        Floats  # (CHOICES,) simulated s that each gains in the computing time of a Verlet step; < 0: unknown
-    )
+    pace: Floats  # (CHOICES,) simulated s gained by each in the computing time of a Verlet step; < 0: unknown
     work: float  # computing time since another method was last tried, in Verlet steps
-    last: int  # the method that had the last turn
+    last: int  # the method that was used in the last turn
     asked: int  # number of times that another method was tried
     turn: int  # the method whose turn it is, or -1
     began: float  # time at which this turn began, s
-    tried: int  # the number of steps that had been tried by then
-    made: int  # the number of matrices that had been made by then
-    limited: float  # the share of steps in Verlet's last turn that were limited by stability
+    tried: int  # number of steps attempted by then
+    made: int  # number of matrices factorised by then
+    limited: float  # fraction of steps in Verlet's last turn that were limited by stability
 
 
 class IntegratorState(Table):
-    """Mutable: what an integrator keeps from step to step, and its scratch; vectors as in `State`."""
+    """Mutable: the memory of an integrator from step to step, and its scratch; vectors as in `State`."""
 
     a: Floats  # accelerations of the state, px/s²
     old: PhasePoint  # the state and these accelerations
-    new: PhasePoint  # room for a step
+    new: PhasePoint  # storage for the end of a step
     rows: Rows  # (R, 2 slots) scratch
     run: Progress
     trial: StepAttempt
@@ -426,14 +427,14 @@ class Tableau(Table):
     Stage i is at q + c_i h v + h² sum abar_ij k_j and v + h sum a_ij k_j.
     """
 
-    stages: int  # evaluations of a step; the first of the next step is that at the end of this one
+    stages: int  # evaluations per step; the first of the next step is that at the end of this one
     c: Floats  # (stages + 1,) the last is the end of the step
     a: Rows  # (stages + 1, stages + 1); the last row is b
     abar: Rows  # a a
 
 
 class Rosenbrock(Table):
-    """A Rosenbrock method, in the form in which each stage is one solve (Hairer & Wanner II, IV.7).
+    """A Rosenbrock method, in the form where each stage takes one solve (Hairer & Wanner II, IV.7).
 
     Rows are padded with zeros to a multiple of four stages.
     """
@@ -458,7 +459,7 @@ class Adams(Table):
     Row k of each table is for degree k, and column i has the weight of the acceleration i steps back.
     """
 
-    degree: int  # the highest that is used
+    degree: int  # the highest in use
     position: Rows  # (PAST, PAST) weights in the predicted position
     velocity: Rows  # in the predicted velocity
     ahead: Rows  # in the predicted acceleration
@@ -470,40 +471,40 @@ class Adams(Table):
 
 
 class Work(Record):
-    """What has changed the energy since the balance was opened, kg px²/s²."""
+    """Changes of the energy since the balance was opened, by cause, kg px²/s²."""
 
     anchors: float  # by moved anchors
-    damping: float  # by damping, which is negative
-    air: float  # by air friction and a medium, which is negative
-    law: float  # by a force law that has no energy
+    damping: float  # by damping; negative
+    air: float  # by air friction and a medium; negative
+    law: float  # by a force law without an energy
     keys: float  # by keys that change rest lengths and rest angles
-    muscles: float  # by muscles, which do so, too
-    fallbacks: float  # by fallback steps, which is negative or zero
-    walls: float  # by friction on walls, the ground and in contact, and by bouncing, which is negative
-    plastic: float  # lost in yielding, which is negative
-    broken: float  # of springs and joints that broke, which is negative
+    muscles: float  # by muscles, which change them too
+    fallbacks: float  # by fallback steps; negative or zero
+    walls: float  # by friction on walls, the ground and in contact, and by bouncing; negative
+    plastic: float  # by yielding; negative
+    broken: float  # of springs and joints that broke; negative
 
     @property
     def total(self) -> float:
-        """The sum of all; for Python only."""
+        """The sum of all changes; for Python only."""
         return sum(getattr(self, name) for name in self.numbers)
 
 
 class EnergyBalance(Table):
-    """What has changed the energy since the balance was opened, and scratch for computing it."""
+    """The changes of the energy since the balance was opened, and scratch for computing them."""
 
     active: bool
     work: Work
     rows: Rows  # (k, 2 slots) scratch, see `solve.balance.work`
     dampers: Rows  # (DAMPER_ROWS, springs + joints) scratch, see `solve.balance.dissipation`
-    # (W + L, 2 slots) scratch of W walls and L laws of resistance; empty for methods of first order.
+    # (W + L, 2 slots) scratch for W walls and L laws of resistance; empty for first-order methods.
     # First half: 1 for each mass that friction there stops within a fraction of the step, see
     # `mark_stiff_friction`. Second half: the power of all other forces on it, kg px²/s³.
     quick: Rows
 
 
 class Problem(Table):
-    """Everything that a run of a method needs, except what drives the body and how far it is to go."""
+    """Everything that a run of a method needs, except how the body is driven and how far it is to go."""
 
     body: Body
     state: State
@@ -512,7 +513,7 @@ class Problem(Table):
     integrator: IntegratorState
     balance: EnergyBalance
     # Addresses of the kernels of `engine.calls.INDIRECT_CALLS`; 0 for one that the run does not need.
-    accelerations: int  # those of a body that yields, where something does
+    accelerations: int  # with yielding, if anything yields
     accumulate_work: int
     factorise_matrix: int
     solve_matrix: int
@@ -523,7 +524,7 @@ class Problem(Table):
     update_friction_history: int
     commit_plasticity: int
     fixed: float  # the step, s, or 0 for error control
-    near_limit: float  # s; steps from here on count as near the stability limit, for a body without damping
+    near_limit: float  # s; steps from here on count as near the stability limit, for an undamped body
     near_damped_limit: float  # s; the same, with damping
     explicit: Tableau
     implicit: Rosenbrock

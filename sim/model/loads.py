@@ -1,4 +1,4 @@
-"""What acts on each mass and in each joint at a moment, by `sim.forces.reference`."""
+"""Forces on each mass and torques in each joint at a given time, from `sim.forces.reference`."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ class Loads(NamedTuple):
 
     Attributes:
         forces: (n, 2) the net force on each mass, kg px/s²: of springs, joints, gravity, air, its constant
-            force and what surrounds the body. That on a mass which an anchor or a hand holds is what its
-            support bears, without the inertia of a held mass that is being moved.
-        torques: (J,) the torque with which each angular spring turns its first spring, kg px²/s², positive
-            from +x towards +y; its second spring is turned the other way by as much. So it is positive where
-            stiffness and damping make the angle smaller, as the quantity `jointN.torque` is.
+            force and the surroundings. For a mass held by an anchor or a hand it is the load on the support,
+            without the inertia of a held mass that is being moved.
+        torques: (J,) the torque of each angular spring on its first spring, kg px²/s², positive from +x
+            towards +y; the opposite torque acts on its second spring. It is positive where stiffness and
+            damping reduce the angle, like the quantity `jointN.torque`.
     """
 
     forces: NDArray[np.float64]
@@ -34,22 +34,22 @@ class LoadCalculator:
     """Computes loads from the tables of a body, which it only reads.
 
     Args:
-        scene, system, state: of the simulation; the tables are those without what has broken.
+        scene, system, state: of the simulation; the tables are those without broken parts.
     """
 
     def __init__(self, scene: Scene, system: System, state: State) -> None:
         self.system = system
         self._scene = scene
-        # The time of the gusts in the state is that of the last force that a step has needed.
+        # The clock of the state is at the last force evaluation of a step, so it is replaced.
         self._state = state.replaced(clock=np.zeros(1))
         self._physics = Physics(system.body, self._state)
 
     def loads(self, time: float) -> Loads:
-        """The loads in the present state, at a time (s)."""
+        """Return the loads in the current state, at a time (s)."""
         state, physics = self._state, self._physics
         state.clock[0] = time
         x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-        # Held masses have no weight in the state, so that of all is computed here.
+        # The state has no weight for held masses, so that of all masses is computed here.
         weight = self.system.body.environment.mass * complex(*self._scene.gravity)
         net = (physics.forces(x, v) + weight)[self.system.mass_index]
         if self.system.loads is not None:

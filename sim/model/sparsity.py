@@ -17,13 +17,13 @@ NO_MATRIX = Matrix.empty()
 
 
 _KRYLOV = 40
-"""Largest dimension of a Krylov space for the parts of contact that are not in the pattern."""
+"""Largest dimension of a Krylov space for the contact blocks that are not in the pattern."""
 _KEPT = 4
-"""Number of patterns that are kept. That of a cloth of 10 000 masses takes 20 MB."""
+"""Number of patterns that are cached. That of a cloth of 10 000 masses takes 20 MB."""
 
 
 class Pattern(NamedTuple):
-    """What of a `Matrix` depends only on what connects the masses and on which are held; fields as there."""
+    """The part of a `Matrix` that depends only on connections and held masses; fields as there."""
 
     walk: Indices
     parent: Indices
@@ -38,12 +38,12 @@ class Pattern(NamedTuple):
 
 
 def new_matrix(body: Body, held: np.ndarray) -> Matrix:
-    """Arrays for the matrix of a body.
+    """Allocate the matrix of a body.
 
-    The order is SuperLU's minimum degree, called through SciPy, on the graph of masses in which a spring
-    connects its two masses, a joint all of its three or four, and a filling those that are neighbours around
-    it, or all of a small loop. The pattern is that of the factors. Those that were used last are kept, as a
-    scene is often made anew with other numbers.
+    The elimination order is SuperLU's minimum degree, called through SciPy, on the graph of masses in which a
+    spring connects its two masses, a joint all of its three or four, and a filling its neighbouring masses,
+    or all masses of a small loop. The pattern is that of the factors. The most recent patterns are cached,
+    since scenes are often rebuilt with other parameters only.
     """
     fillings = body.environment.fillings
     tables = body.spring_a, body.spring_b, body.joint_a, body.joint_b, fillings.loop, fillings.start
@@ -70,7 +70,7 @@ def new_matrix(body: Body, held: np.ndarray) -> Matrix:
 
 @lru_cache(maxsize=_KEPT)
 def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
-    """The pattern of a body with n masses; `room` is the size of `parent`, the tables are its own."""
+    """Return the pattern for n masses; `room` is the size of `parent`, `tables` are the connections."""
     a, b, ja, jb, loop, start, held = (np.frombuffer(table, np.int64) for table in tables)
     ends = np.array([b, a]).T - 1  # (S, 2)
     spring_pairs = _pairs(ends, ends)
@@ -81,7 +81,7 @@ def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
     position, row_start, column = _factors(n, pairs)
     order = np.empty(n, np.int64)
     order[position] = np.arange(1, n + 1)
-    # The keys are ascending, so that a binary search finds the number of a block from its row and column.
+    # The keys are ascending, so a binary search finds the number of a block from its row and column.
     keys = np.repeat(np.arange(n), np.diff(row_start)) * n + column
 
     def targets(pairs: Indices) -> Indices:
@@ -103,14 +103,14 @@ def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
 
 
 def clear_factors(matrix: Matrix) -> None:
-    """Forget what was computed with a matrix; its pattern stays."""
+    """Discard the computed contents of a matrix; its pattern stays."""
     for _, array in matrix.arrays():
         if array.dtype == np.float64:
             array[:] = 0.0
 
 
 def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
-    """(number of blocks of the matrix, number of blocks of its factors)."""
+    """Return (number of blocks of the matrix, number of blocks of its factors)."""
     used = np.unique(
         np.concatenate((matrix.spring_target, matrix.joint_target, matrix.loop_target, matrix.diagonal))
     )
@@ -118,17 +118,15 @@ def fill(body: Body, matrix: Matrix) -> tuple[int, int]:
 
 
 def _pairs(rows: Indices, columns: Indices) -> Indices:
-    """(k, 4, 2) the (row, column) of each combination of ends: first with first, first with second, ..."""
+    """Return (k, 4, 2) the (row, column) of each combination of ends: first with first, then second, ..."""
     return np.stack([np.stack((rows[:, i], columns[:, j]), 1) for i in (0, 1) for j in (0, 1)], 1).astype(
         np.int64
     )
 
 
 def _loop_pairs(loop: Indices, start: Indices) -> Indices:
-    """(k, 2) the (row, column) of each mass of a loop with all of its masses, or with the two beside it.
-
-    All are for small loops.
-    """
+    """Return the (k, 2) (row, column) of each mass of a loop with its two neighbours, or, for small loops,
+    with all masses of the loop."""
     pairs = [np.zeros((0, 2), np.int64)]
     for first, behind in itertools.pairwise(start):
         masses = loop[first:behind]
@@ -141,12 +139,12 @@ def _loop_pairs(loop: Indices, start: Indices) -> Indices:
 
 
 def _factors(n: int, pairs: Indices) -> tuple[Indices, Indices, Indices]:
-    """The position of each mass in the order of elimination, and in that order the first block of each row of
-    the factors and the columns of all.
+    """Return the position of each mass in the elimination order, and in that order the first block of each
+    row of the factors and the columns of all blocks.
 
     Args:
         n: number of masses.
-        pairs: (k, 2) masses, counted from 0, that are connected; both ways round.
+        pairs: (k, 2) connected masses, counted from 0; in both orders.
     """
     # Only implicit methods need this import.
     from scipy.sparse import coo_matrix
@@ -156,12 +154,12 @@ def _factors(n: int, pairs: Indices) -> tuple[Indices, Indices, Indices]:
     graph = coo_matrix((np.ones(row.size), (row, column)), (n, n)).tocsc()
     graph.sort_indices()
     count = np.diff(graph.indptr)
-    # All of what elimination adds off the diagonal is negative, so that nothing cancels; and it is hardly
-    # less than what it comes from, so that nothing vanishes along a chain.
+    # Everything that elimination adds off the diagonal is negative, so that nothing cancels, and hardly
+    # smaller than its source, so that nothing vanishes along a chain.
     on_diagonal = graph.indices == np.repeat(np.arange(n), count)
     graph.data = np.where(on_diagonal, np.repeat((1.0 + 1e-6) * count, count) - 1.0, -1.0)
     factors = splu(graph, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    # Zeros in it are none of the pattern, but of how SuperLU stores it.
+    # Zeros in it are not part of the pattern, but due to SuperLU's storage scheme.
     lower = factors.L
     lower.eliminate_zeros()
     lower.sort_indices()
@@ -169,7 +167,7 @@ def _factors(n: int, pairs: Indices) -> tuple[Indices, Indices, Indices]:
     before, after = np.diff(rows.indptr), np.diff(lower.indptr)  # both with the diagonal
     row_start = np.concatenate(([0], np.cumsum(before + after - 1)))
     columns = np.empty(row_start[-1], np.int64)
-    # A row of the factors is one of the lower ones, and what is below the diagonal in its column.
+    # A row of the factors consists of a row of the lower factor and of its column below the diagonal.
     columns[np.arange(rows.nnz) + np.repeat(row_start[:-1] - rows.indptr[:-1], before)] = rows.indices
     below = np.arange(lower.nnz) + np.repeat(row_start[:-1] + before - 1 - lower.indptr[:-1], after)
     columns[below] = lower.indices
@@ -177,7 +175,7 @@ def _factors(n: int, pairs: Indices) -> tuple[Indices, Indices, Indices]:
 
 
 def _forest(n: int, room: int, a: Indices, b: Indices, held: Indices) -> tuple[Indices, Indices]:
-    """(walk, parent): see `Matrix`. Held masses and the first mass of a part without any have no parent."""
+    """Return (walk, parent), see `Matrix`. Held masses and the first mass of a part without any are roots."""
     parent = np.zeros(room, np.int64)
     neighbours: list[list[int]] = [[] for _ in range(n + 1)]
     for one, other in zip(a.tolist(), b.tolist(), strict=True):
@@ -189,7 +187,7 @@ def _forest(n: int, room: int, a: Indices, b: Indices, held: Indices) -> tuple[I
     for roots in (held.tolist(), *([m] for m in range(1, n + 1))):
         queue = [m for m in roots if m not in seen]
         seen.update(queue)
-        for m in queue:  # it grows meanwhile
+        for m in queue:  # it grows during the loop
             walk.append(m)
             for o in neighbours[m]:
                 if o not in seen:

@@ -1,10 +1,10 @@
-"""The stable spring: limits every spring to the stiffness at which symplectic Euler is stable.
+"""The stable spring method: limits every spring to the stiffness at which symplectic Euler is stable.
 
 After M. Nissen, "Towards a simpler, stiffer and more stable spring" (2014): a spring between masses m1 and m2
 with f = -(m_red / dt²) C_k x - (m_red / dt) C_d v, m_red = m1 m2 / (m1 + m2), cannot explode for C_k, C_d up
-to 1, divided among the springs that share a mass. Here a spring keeps the stiffness and damping of the scene
-where they are below this limit. Joints are treated in the same way, with the moment of inertia of the angle,
-at rest lengths, in place of the reduced mass.
+to 1, divided among the springs that share a mass. Here a spring keeps the scene's stiffness and damping where
+they are below this limit. Joints are treated in the same way, with the moment of inertia of the angle at rest
+lengths in place of the reduced mass.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .system import build_system
 
 
 def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: float) -> Body:
-    """The tables with stiffness and damping of every spring and joint limited for a step of `dt` seconds.
+    """Return the tables with the stiffness and damping of all springs and joints limited for a step `dt`.
 
     Args:
         body: the tables of the scene.
@@ -46,7 +46,7 @@ def clamp_stiffness(body: Body, inverse_mass: Floats, held: np.ndarray, dt: floa
 
 
 def softening(scene: Scene) -> float:
-    """By what factor the scene's method softens the spring or joint that it softens most; 1 for none.
+    """Return the largest factor by which the scene's method softens a spring or joint; 1 for none.
 
     Args:
         scene: a valid scene.
@@ -67,7 +67,7 @@ def softening(scene: Scene) -> float:
 
 
 def softening_note(scene: Scene) -> str:
-    """What `softening` means for the scene, in a sentence without a full stop; empty where it is none."""
+    """Describe the effect of `softening`, in a sentence without a full stop; empty where there is none."""
     factor = softening(scene)
     if factor < 1.001:
         return ""
@@ -78,7 +78,7 @@ def softening_note(scene: Scene) -> str:
 
 
 def _joint_limit(body: Body, free: Floats) -> Floats:
-    """(J,) the largest stiffness of each joint times dt², kg; also its largest damping times dt."""
+    """Return the (J,) largest stiffness of each joint times dt², kg; also its largest damping times dt."""
     ends = joint_ends(body)
     at_mass = np.zeros(body.masses + 1, np.int64)
     for j in range(len(ends)):
@@ -89,16 +89,17 @@ def _joint_limit(body: Body, free: Floats) -> Floats:
 
 
 def joint_ends(body: Body) -> np.ndarray:
-    """(J, 4) the slots of the masses at the ends of both springs of each joint."""
+    """Return the (J, 4) slots of the masses at the ends of both springs of each joint."""
     p, q = body.joint_a, body.joint_b
     return np.stack((body.spring_a[p], body.spring_b[p], body.spring_a[q], body.spring_b[q]), 1)
 
 
 def joint_softness(body: Body, free: Floats) -> Floats:
-    """(J,) the square of the angular frequency of each joint alone, of springs in line, per stiffness, 1/kg.
+    """Return the (J,) squared angular frequency per stiffness of each uncoupled joint with springs in line,
+    1/kg.
 
-    In line means that both springs, as they leave the mass that they share, are 180 degrees apart. At any
-    other angle it is lower.
+    In line means that both springs, seen from the shared mass, are 180 degrees apart. At any other angle it
+    is lower.
 
     Args:
         body: the tables.
@@ -107,9 +108,9 @@ def joint_softness(body: Body, free: Floats) -> Floats:
     ends = joint_ends(body)
     lengths = np.maximum(body.rest_length, 1e-9)
     la, lb = lengths[body.joint_a], lengths[body.joint_b]
-    # How fast the angle changes with the position of each end, for springs in line. What the shared mass does
-    # to one spring adds to what it does to the other. The signs go by the directions of the springs, and are
-    # left out.
+    # Derivatives of the angle with respect to the position of each end, for springs in line. The effects of
+    # the shared mass on both springs add up. The signs depend on the directions of the springs, and are
+    # omitted.
     slopes = np.stack((1.0 / la, 1.0 / la, 1.0 / lb, 1.0 / lb), 1)
     softness = np.zeros(len(ends))
     for i in range(4):

@@ -1,7 +1,7 @@
-"""The state of a body: its memory, and what scenes and moments carry of it.
+"""The state of a body: its memory, and what scenes and moments store of it.
 
-Friction that holds is carried as stretches only: where along a wall or a spring a mass is follows from its
-position; see `sim.forces.touch.friction_history`.
+Grips of friction are stored as stretches only: the position of a mass along a wall or a spring follows from
+its coordinates; see `sim.forces.touch.friction_history`.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _Made = TypeVar("_Made", bound=Table)
 
 # ------------------------------------------------------------------------- memory
 def _vectors(table: type[Table]) -> list[str]:
-    """The fields of a table that are vectors of floats."""
+    """Return the fields of a table that are vectors of floats."""
     return [name for name, field in table.fields.items() if field.dimensions == 1 and field.dtype == float]
 
 
@@ -42,7 +42,7 @@ _STATE_VECTORS, _SCRATCH_VECTORS = _vectors(State), _vectors(Scratch)
 
 
 def new_state(system: System) -> State:
-    """A state with room for the system's masses; `Simulation` fills it."""
+    """Allocate a state for the system's masses; `Simulation` fills it."""
     body = system.body
     springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
     layout = _layout_of_state(system.slots, body.stiffness.size, body.angular_stiffness.size, springs, joints)
@@ -53,7 +53,7 @@ def new_state(system: System) -> State:
 
 @lru_cache(maxsize=16)
 def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> Layout[State]:
-    """The layout for arrays of springs and of joints with some room; `springs` and `joints` may yield."""
+    """Return the layout for padded arrays of springs and joints; `springs` and `joints` may yield."""
     sizes = {
         "q": (2 * slots, 1),
         "v": (2 * slots, 1),
@@ -80,12 +80,12 @@ def _layout(
     page_offset: int,
     rows: Mapping[str, int] | None = None,
 ) -> Layout[_Made]:
-    """The layout of a table that has nothing but arrays, some of them empty.
+    """Return the layout of a table that has only arrays, some of them empty.
 
     Args:
         kind: the table's class.
         sizes, page_offset: by field, and as in `aligned_arena`.
-        rows: by field, the number of rows of each array with two dimensions.
+        rows: by field, the number of rows of each two-dimensional array.
     """
     arrays = aligned_arena(list(sizes.values()), page_offset)
     fields = dict(zip(sizes, arrays, strict=True))
@@ -94,9 +94,9 @@ def _layout(
 
 
 def rest_lengths(body: Body, state: State) -> Floats:
-    """(S,) the present rest length of each spring of the tables, px.
+    """Return the (S,) current rest length of each spring of the tables, px.
 
-    In it are the scale of rest lengths, what muscles do at `State.clock`, and what has yielded.
+    This includes the scale of rest lengths, muscles at `State.clock`, and yielding.
     """
     rest = body.rest_length[: body.springs] * state.controls[CONTROL_SCALE]
     if body.muscles.present:
@@ -105,7 +105,7 @@ def rest_lengths(body: Body, state: State) -> Floats:
 
 
 def rest_angles(body: Body, state: State) -> Floats:
-    """(J,) the present rest angle of each joint of the tables, degrees in (-180, 180], likewise."""
+    """Return the (J,) current rest angle of each joint, degrees in (-180, 180], in the same way."""
     angle = body.joint_rest + state.controls[CONTROL_SHIFT]
     if body.limits.present:
         angle = angle + state.set_angle
@@ -115,7 +115,7 @@ def rest_angles(body: Body, state: State) -> Floats:
 
 
 def update_rest_state(body: Body, state: State) -> None:
-    """Recompute what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
+    """Update what depends on the scale of rest lengths, the shift of rest angles, and the clock."""
     springs, joints = slice(body.springs), slice(1, body.joints + 1)
     state.rest_tension[springs] = body.stiffness[springs] * rest_lengths(body, state)
     if not body.joints:
@@ -134,9 +134,9 @@ def update_rest_state(body: Body, state: State) -> None:
 
 
 def new_scratch(system: System) -> Scratch:
-    """Scratch arrays for the system."""
+    """Allocate scratch arrays for the system."""
     body = system.body
-    # Behind the masses, slot 0 among them, and behind springs in runs there may be some more.
+    # After the masses, including slot 0, and after springs in runs there may be some more.
     room = max(padded(body.masses + 1), body.stiffness.size) + 8
     links = body.held, body.free, body.bends
     scratch = _layout_of_scratch(room, body.joints + 1, *(each.room for each in links)).made()
@@ -147,19 +147,19 @@ def new_scratch(system: System) -> Scratch:
 
 @lru_cache(maxsize=16)
 def _layout_of_scratch(room: int, joints: int, held: int, free: int, bends: int) -> Layout[Scratch]:
-    """The layout for vectors with some room, for joints in no run, and for rows."""
+    """Return the layout for padded vectors, for joints in no run, and for rows."""
     first = {"tx": 2, "ty": 2, "fx": 1, "fy": 1}  # where loops over springs and masses start
     sizes = {field: (room, first.get(field, 0)) for field in _SCRATCH_VECTORS}
     rows = {"held_rows": 2, "free_rows": 2, "joint_rows": 4, "joint_alone": 4}
     for (field, count), wide in zip(rows.items(), (held, free, bends, joints), strict=True):
         sizes[field] = count * wide, 0
-    # An offset behind that of the arrays of a short chain's `State`.
+    # An offset after that of the arrays of a short chain's `State`.
     return _layout(Scratch, sizes, page_offset=2560, rows=rows)
 
 
 # ------------------------------------------------------------------------- from and to poses
 def start_of(scene: Scene, system: System) -> tuple[System, State]:
-    """The tables without what is broken at a scene's start, and the state there.
+    """Return the tables without the parts that are broken at a scene's start, and the initial state.
 
     Args:
         scene: a valid scene.
@@ -173,28 +173,28 @@ def start_of(scene: Scene, system: System) -> tuple[System, State]:
 
 
 def whole_without_broken(system: System, state: State) -> System:
-    """The tables without the springs that are broken in a state."""
+    """Return the tables without the springs that are broken in a state."""
     if not state.broken.any():
         return system
     return replace(system, body=without_broken(system.body, state.broken))
 
 
 def rows_of(state: State, system: System) -> Floats:
-    """(4, n) x, y (px), vx and vy (px/s) of the scene's masses; a copy."""
+    """Return (4, n) x, y (px), vx and vy (px/s) of the scene's masses; a copy."""
     rows = np.empty((4, system.mass_index.size))
-    # The mode is of no meaning for indices that exist; with it, numpy writes without a detour.
+    # The mode has no effect for valid indices; with it, numpy writes directly.
     for row, field in zip(rows, (state.x, state.y, state.vx, state.vy), strict=True):
         field.take(system.mass_index, out=row, mode="clip")
     return rows
 
 
 class Carried(NamedTuple):
-    """A motion, as it is carried from one state to another.
+    """A motion to be transferred from one state to another.
 
     Attributes:
         rows: (4, n) x, y (px), vx and vy (px/s) of the masses.
-        damage: what has yielded and broken, or None.
-        grips: the tangential springs by which friction holds, or None.
+        damage: everything that has yielded or broken, or None.
+        grips: the tangential springs of sticking friction, or None.
     """
 
     rows: Floats
@@ -203,7 +203,7 @@ class Carried(NamedTuple):
 
 
 def carried_by(state: State, system: System) -> Carried:
-    """The motion in a state; its rows are copies, in the scene's order."""
+    """Return the motion in a state; its rows are copies, in the scene's order."""
     return Carried(rows_of(state, system), damage_in(state, system), grips_of(state, system))
 
 
@@ -217,20 +217,20 @@ def fill_in(
     time: float,
     held: Bools,
 ) -> System:
-    """Set all of a state.
+    """Set an entire state.
 
     Args:
         state: of the tables.
-        system: the tables, with what has broken.
+        system: the tables, including broken parts.
         scene: the scene.
         carried: the motion.
         slots: of the masses in its rows.
         controls: rest length scale, and degrees added to all rest angles.
         time: s.
-        held: (n,) whether each mass is held, in the order of the slots.
+        held: (n,) whether each mass is held, in slot order.
 
     Returns:
-        The tables without what has broken.
+        The tables without broken parts.
     """
     put_rows(state, carried.rows, slots)
     put_masses(state, system, scene, held)
@@ -245,7 +245,7 @@ def fill_in(
 
 
 def put_rows(state: State, rows: Floats, slots: slice | Indices) -> None:
-    """Set the motion of the masses in `slots`, in rows like those of `rows_of`, and clear the padding."""
+    """Set the motion of the masses in `slots` from rows like those of `rows_of`, and clear the padding."""
     for vector, of_masses in ((state.q, rows[:2]), (state.v, rows[2:])):
         vector.fill(0.0)
         vector.reshape(2, -1)[:, slots] = of_masses
@@ -258,13 +258,13 @@ def put_masses(state: State, system: System, scene: Scene, held: Bools) -> None:
         state: of the tables.
         system: the tables.
         scene: the scene.
-        held: (n,) whether each mass is held, in the order of the slots.
+        held: (n,) whether each mass is held, in slot order.
     """
     masses, free = slice(1, system.body.masses + 1), np.where(held, 0.0, 1.0)
     inverse_mass = free * system.inverse_mass
     state.v.reshape(2, -1)[:, masses] *= free
     state.inverse_mass[masses] = inverse_mass
-    # The state is of this scene alone, so what is zero in it is so from the start.
+    # The state is used for this scene only, so zeros in it have been zero from the start.
     if scene.air_friction and not scene.wind:  # the friction of wind is in the surroundings
         state.air[masses] = inverse_mass * scene.air_friction
     for k, (array, gravity) in enumerate(((state.gx, scene.gravity[0]), (state.gy, scene.gravity[1]))):
@@ -275,7 +275,7 @@ def put_masses(state: State, system: System, scene: Scene, held: Bools) -> None:
 
 
 def damage_in(state: State, system: System) -> Damage | None:
-    """What has yielded and broken in a state; None where nothing has."""
+    """Return everything that has yielded or broken in a state; None if nothing has."""
     if not (state.set_length.any() or state.set_angle.any() or state.broken.any()):
         return None
     index = np.argsort(system.spring_order)  # of each spring of the scene, in the tables
@@ -288,7 +288,7 @@ def damage_in(state: State, system: System) -> Damage | None:
 
 
 def put_damage(state: State, system: System, damage: Damage | None) -> None:
-    """Enter what has yielded and broken into a state; None for nothing.
+    """Set the damage in a state; None for none.
 
     Args:
         state: of the tables, which are those of a body that yields, breaks or has done so.
@@ -310,7 +310,7 @@ def put_damage(state: State, system: System, damage: Damage | None) -> None:
 
 
 def grips_of(state: State, system: System) -> Grips | None:
-    """The stretches of all tangential springs in a state; None where there are none.
+    """Return the stretches of all tangential springs in a state; None if there are none.
 
     Args:
         state: of the tables.
@@ -336,12 +336,12 @@ def _rows(*columns: np.ndarray) -> list[tuple[int, int, float]]:
 
 
 def put_grips(state: State, system: System, grips: Grips | None) -> None:
-    """Let tangential springs have stretches at the positions of a state; all others begin anew.
+    """Set the stretches of tangential springs at the positions of a state; all others start anew.
 
     Args:
         state: the positions.
         system: its tables.
-        grips: the stretches; those on walls and in contact that the tables do not have are left out.
+        grips: the stretches; those on walls and contacts that the tables lack are ignored.
     """
     if not system.body.environment.sticks:
         return

@@ -38,10 +38,10 @@ _SOFT_AT_MOST = 1e-4
 """The largest softening length, as a fraction of a typical spring's length."""
 
 _ENDLESS = 1e30
-"""Softening of padding springs, px²: makes them longer than any spring, and fits into single precision."""
+"""Softening of padding springs, px²: makes them longer than any spring, but fits into single precision."""
 
 _BEHIND_RUNS = 7
-"""Number of springs and joints behind the last one that loops over a run read."""
+"""Number of springs and joints after the last one that loops over a run read."""
 
 
 @dataclass(frozen=True)
@@ -81,12 +81,12 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
 
     Args:
         scene: the scene.
-        damaged: whether something has yielded or broken that is to be kept though nothing can any more; what
-            the scene's pose says is kept anyway.
+        damaged: whether existing damage must be kept even though nothing can yield or break any more; damage
+            in the scene's pose is kept anyway.
 
     A chain is a body whose springs run head to tail through all masses, and whose angular springs each
-    hold a spring and the next one; its masses and springs may be listed in any order. A ring is a closed
-    chain. A body in surroundings is neither, nor is one that yields or breaks.
+    connect a spring to the next one; its masses and springs may be listed in any order. A ring is a closed
+    chain. A body with surroundings is neither, nor is one that yields or breaks.
     """
     springs, joints, n = scene.linear_springs, scene.angular_springs, len(scene.masses)
     loaded = is_loaded(scene)
@@ -133,22 +133,22 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
 
 
 def for_analysis(scene: Scene) -> Scene:
-    """The scene as analyses take it: its muscles rest, and nothing softens by its method.
+    """Return the scene for analyses: its muscles rest, and its method softens nothing.
 
-    See `build_system` for what would.
+    See `build_system` for what would be softened.
     """
-    # One with a fixed step, for which springs do not, and an implicit one, for which walls do not.
+    # A fixed-step method does not soften springs, and an implicit one does not soften walls.
     method = Integrator(method="generalized_alpha")
     return msgspec.structs.replace(scene, integrator=method, beat=msgspec.UNSET)
 
 
 def damage_of(scene: Scene) -> Damage | None:
-    """What has yielded and broken in the scene's pose; None where nothing has."""
+    """Return everything that has yielded or broken in the scene's pose; None if nothing has."""
     return scene.pose.damage if scene.pose is not None else None
 
 
 def same_topology(old: Scene, new: Scene) -> bool:
-    """Whether springs and angular springs connect the same masses in both, so that a state carries over."""
+    """Return whether springs and joints have the same connections in both, so that a state fits both."""
     return (
         len(old.masses) == len(new.masses)
         and [(s.a, s.b) for s in old.linear_springs] == [(s.a, s.b) for s in new.linear_springs]
@@ -157,7 +157,7 @@ def same_topology(old: Scene, new: Scene) -> bool:
 
 
 def joint_stiffness(scene: Scene) -> list[float]:
-    """The stiffness of each angular spring, kg/s²; diagonal templates are sqrt(2) times as stiff."""
+    """Return the stiffness of each angular spring, kg/s²; diagonal templates are sqrt(2) times as stiff."""
     return _joint_stiffness(scene).tolist()
 
 
@@ -167,28 +167,29 @@ def _joint_stiffness(scene: Scene) -> Floats:
 
 
 def slots_of(body: Body) -> int:
-    """The number of slots of a body's states."""
+    """Return the number of slots of a body's states."""
     return _slots_for(body.masses, body.stiffness.size if body.chain or body.ring else 0)
 
 
 def _slots_for(masses: int, chained: int) -> int:
-    """The number of slots, with room for so many springs of a chain or a ring."""
-    # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat
-    # vectors should leave no scalar remainder.
+    """Return the number of slots, given the number of springs of a chain or a ring."""
+    # The chain's loops look one slot back and, from the last spring, three ahead; and loops over flat vectors
+    # should leave no scalar remainder.
     return padded((chained or padded(masses)) + 3)  # aligns both halves of a flat vector alike
 
 
 class Topology(NamedTuple):
-    """What of the tables depends on nothing but what connects the masses; S springs, J joints, n masses.
+    """The parts of the tables that depend only on the connections of the masses; S springs, J joints, n
+    masses.
 
     Attributes:
         in_order: whether the body is a chain or a ring.
         ring: whether it is a ring.
-        room: of the arrays of springs.
-        slots: of a state.
+        room: size of the arrays of springs.
+        slots: number of slots of a state.
         mass_order, mass_index, vector_index, spring_order, joint_order: see `System`.
         ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
-        body: tables with these connections, and with numbers of no meaning.
+        body: tables with these connections and meaningless numbers.
     """
 
     in_order: bool
@@ -205,14 +206,14 @@ class Topology(NamedTuple):
 
 
 _KEPT = 4
-"""Number of wirings that are kept. That of a cloth of 10 000 masses takes 5 MB."""
+"""Number of wirings that are cached. That of a cloth of 10 000 masses takes 5 MB."""
 
 
 @lru_cache(maxsize=_KEPT)
 def wired(n: int, along: bool, *tables: bytes) -> Topology:
-    """The wiring of a body with n masses.
+    """Return the wiring of a body with n masses.
 
-    Those that were used last are kept, as a scene is often made anew with other numbers.
+    The most recent ones are cached, since scenes are often rebuilt with other parameters only.
 
     Args:
         n: number of masses.
@@ -228,8 +229,8 @@ def wired(n: int, along: bool, *tables: bytes) -> Topology:
     in_order, ring = order is not None, order is not None and count == n
     mass_index = np.empty(n, np.int64)
     mass_index[mass_order] = np.arange(1, n + 1)
-    # At least as many springs as masses, since the chain's loops over masses read as many, and one more.
-    # For others, the loops over a run read a few more.
+    # At least as many springs as masses, since the chain's loops over masses read as many, and one more. For
+    # others, the loops over a run read a few more.
     room = padded(max(count, n)) + 1 + (0 if in_order else _BEHIND_RUNS)
     spring_a, spring_b = (mass_index[end[spring_order]] for end in spring_ends)
     spring_index = np.empty(count, np.int64)
@@ -290,7 +291,7 @@ def wired(n: int, along: bool, *tables: bytes) -> Topology:
 
 
 def _order_along(n: int, spring_ends: Indices, joints: Indices) -> tuple[Indices, Indices] | None:
-    """(masses, springs) in order along a chain or a ring, or None for any other body."""
+    """Return (masses, springs) in order along a chain or a ring, or None for any other body."""
     starts, stops = spring_ends.tolist()
     count = len(starts)
     closed = count == n
@@ -308,7 +309,7 @@ def _order_along(n: int, spring_ends: Indices, joints: Indices) -> tuple[Indices
         spring_order.append(s)
         mass_order.append(mass)
     if len(set(mass_order)) != n:
-        return None  # a ring beside something else
+        return None  # a ring and something else
     if closed:
         spring_order.append(leaving[mass])
     index = np.empty(count, np.int64)
@@ -319,7 +320,7 @@ def _order_along(n: int, spring_ends: Indices, joints: Indices) -> tuple[Indices
 
 
 def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
-    """Indices of the springs in runs, those that angular springs hold first."""
+    """Return the indices of the springs in runs, those attached to angular springs first."""
     alone = np.ones(spring_ends.shape[1], np.bool_)
     alone[joints] = False
     return order_in_runs(spring_ends[0], spring_ends[1], slots, alone)
@@ -328,17 +329,17 @@ def _hinged_first(spring_ends: Indices, joints: Indices, slots: int) -> Indices:
 def with_numbers(
     wiring: Topology, of_springs: Sequence[Floats], of_joints: Sequence[Floats], law: int, softening: float
 ) -> Body:
-    """The table of a body in which nothing acts but its springs and joints.
+    """Return the table of a body on which only its springs and joints act.
 
     Args:
-        wiring: what connects the masses.
+        wiring: the connections of the masses.
         of_springs: (3, S) stiffness, damping and rest length, in the scene's order, as in `Body`.
         of_joints: (3, J) stiffness, damping and rest angle, in the same order.
         law, softening: as in `Body`.
     """
     order, ring, room = wiring.spring_order, wiring.ring, wiring.room
     count = order.size
-    held = wiring.body.joints  # more than the scene's in a chain where not every two springs are held
+    held = wiring.body.joints  # more than the scene's in a chain where some adjacent springs have no joint
     torques = max(room, held + (0 if wiring.in_order else _BEHIND_RUNS)) + 1
     stiffness, damping, rest, angular_stiffness, softenings = aligned_arena(
         [(room, 1)] * 3 + [(torques, 1), (room, 1)], page_offset=1536
@@ -354,7 +355,7 @@ def with_numbers(
         if ring:
             angular_stiffness[0] = angular_stiffness[held]
     return wiring.body.replaced(
-        damped=np.count_nonzero(damping) > 0,  # in a tenth of the time of `any`
+        damped=np.count_nonzero(damping) > 0,  # a tenth of the time of `any`
         joint_damped=np.count_nonzero(torque_damping) > 0,
         law=law if held else NO_JOINTS,
         softening=softening,
@@ -369,7 +370,7 @@ def with_numbers(
 
 
 def _softening(scene: Scene, lengths: Floats, at: Floats, joined: tuple[Indices, Indices]) -> float:
-    """`Body.softening`, px²: practically none for methods with a fixed step.
+    """Return `Body.softening`, px²: practically none for fixed-step methods.
 
     Args:
         scene: the scene.

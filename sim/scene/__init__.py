@@ -1,1 +1,1 @@
-"""Scenes, which users edit and save: types with ranges, validation, files, and recipes."""
+"""Scenes, which users edit and save: types with ranges, validation, lessons, and recipes."""

@@ -1,7 +1,7 @@
 """Lessons: a scene with steps to follow beside the body.
 
-A step asks first and shows afterwards: people who have predicted what will happen learn markedly more from
-seeing it (Crouch, Fagen, Callan and Mazur 2004, American Journal of Physics 72, 835).
+A step asks first and shows afterwards: people who have predicted an outcome learn markedly more from seeing
+it (Crouch, Fagen, Callan and Mazur 2004, American Journal of Physics 72, 835).
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
 
 
 MAX_PULLS = 20
-"""Masses that a run moves, and that it leads."""
+"""Maximum number of masses that a run displaces, and of masses that it guides."""
 
 MAX_MUSCLES = 200
-"""Muscles that a run changes."""
+"""Maximum number of muscles that a run changes."""
 
 
 class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A question with answers to choose from.
+    """A multiple-choice question.
 
     Attributes:
         text: the question, at most 600 characters.
         choices: 2..5 answers, at most 160 characters each.
-        answer: index of the right one.
-        because: why it is right; shown once one has been chosen.
+        answer: index of the correct one.
+        because: why it is correct; shown once one has been chosen.
     """
 
     text: Sentence
@@ -43,11 +43,11 @@ class Question(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
 
 
 class Reading(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Something that is read off a run.
+    """A value read from a run.
 
     Attributes:
         quantity: its name, such as "mass1.y", see `sim.motion.quantities`.
-        of: its present value, or the period of its swings, s.
+        of: its current value, or the period of its oscillation, s.
     """
 
     quantity: Line
@@ -55,11 +55,11 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
 
 class Goal(Reading, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What is to be reached: a reading from `low` to `high`, for `seconds` in one go.
+    """A goal to be reached: a reading from `low` to `high`, for `seconds` without interruption.
 
     Attributes:
         low, high: the range, in the unit of the reading; at least one of them, None for no bound.
-        seconds: simulated time for which it stays there, at most ten minutes.
+        seconds: simulated time for which it must stay there, at most ten minutes.
     """
 
     low: float | None = None
@@ -68,11 +68,11 @@ class Goal(Reading, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Pull(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A mass that is moved before a run begins, and let go as it does.
+    """A mass that is displaced before a run begins and released as it does.
 
     Attributes:
         mass: its index.
-        by: how far, along x and y, px.
+        by: its displacement along x and y, px.
     """
 
     mass: Index
@@ -80,11 +80,11 @@ class Pull(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class Lead(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A mass that is led while a run goes on, as an anchor that moves.
+    """A mass that is guided during a run, like a moving anchor.
 
     Attributes:
         mass: its index.
-        circle: on which it is led, from where it is as the run begins.
+        circle: its path, from its position at the start of the run.
     """
 
     mass: Index
@@ -92,11 +92,11 @@ class Lead(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class RunMuscle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The muscle that a joint has in a run.
+    """A joint's muscle during a run.
 
     Attributes:
         joint: its index.
-        muscle: it, or None if the joint has none.
+        muscle: the muscle, or None if the joint has none.
     """
 
     joint: Index
@@ -104,13 +104,13 @@ class RunMuscle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
 
 
 class StepRun(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What is shown once a step has asked: the case that its question is about.
+    """What is shown after a step's question: the case that it is about.
 
     Attributes:
-        settings: what it changes of that with which the step begins, as `--set` has it, at most 10.
-        pulls: masses that are moved first, at most 20.
-        leads: masses that are led, at most 20.
-        muscles: of joints that have another one than as the step begins, or none, at most 200.
+        settings: changes to the settings of the step, in the syntax of `--set`, at most 10.
+        pulls: masses that are displaced first, at most 20.
+        leads: masses that are guided, at most 20.
+        muscles: of joints whose muscle differs from that in the step, or that have none, at most 200.
     """
 
     settings: Annotated[tuple[Assignment, ...], Meta(max_length=10)] = ()
@@ -126,22 +126,22 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         title: at most 160 characters.
         question: asked before anything is done, or None.
         do: what to do.
-        watch: what to look at meanwhile; may be empty.
-        settings: what the step begins with, as `--set` has it: ``("gravity=0", "method=rk4")``. What other
-            steps set stays as it was, so a step names everything that the lesson changes.
+        watch: what to watch meanwhile; may be empty.
+        settings: initial settings of the step, in the syntax of `--set`: ``("gravity=0", "method=rk4")``.
+            Settings of other steps remain in effect, so a step names everything that the lesson changes.
         run: what happens once the question has been answered, or in a class when all see it run; without it,
-            that with which the step begins.
-        controls: keys of settings and choices, as in `settings`, whose sliders and lists stand below the
+            the initial settings of the step.
+        controls: keys of settings and choices, as in `settings`, whose sliders and lists are shown below the
             text; at most 6.
         plots: of quantities, below those: ``("joint0.angle", "mass1.x, mass3.x", "joint0.rate over
             joint0.angle")``, at most 4.
-        arrows: which are to be on; None leaves them as they are.
-        ghost: a second body to compare with: the name of a method, or "reference" for a near-exact solution;
+        arrows: the arrows to be switched on; None leaves them unchanged.
+        ghost: a second body for comparison: the name of a method, or "reference" for a near-exact solution;
             None for none.
-        predict: simulated time, s, after which the body is asked to be where a class has predicted it: each
-            pupil drags it there before it moves. None to ask for no such prediction.
-        goal: what is to be reached with the body, or None.
-        collect: what a class hands in a reading of, each pupil one; None for nothing.
+        predict: simulated time, s, at which a class predicts the position of the body: each pupil drags it
+            there before it moves. None for no such prediction.
+        goal: a goal to be reached with the body, or None.
+        collect: a reading that each pupil of a class submits; None for nothing.
     """
 
     title: Line
@@ -166,7 +166,7 @@ class Lesson(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 def texts_of(step: Step) -> tuple[str, ...]:
-    """Everything that can be read in a step."""
+    """Return all texts that can be read in a step."""
     question = step.question
     asked = (question.text, *question.choices, question.because) if question else ()
     readings = [reading.quantity for reading in (step.goal, step.collect) if reading is not None]

@@ -1,4 +1,4 @@
-"""`rope(...)`, `box(...)` and the like: a scene with one body, from a few numbers."""
+"""Functions such as `rope(...)` and `box(...)`, which make a scene with one body from a few numbers."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ _OF_SCENES = tuple(
     for field in Scene.__struct_fields__
     if field not in (*BODY_FIELDS, "format", "bodies", "links", "template", "lesson")
 )
-"""The fields of a scene that its maker takes."""
+"""The fields of a scene that its maker accepts."""
 
 _FLOOR = (Wall(point=(300.0, 500.0), normal=(0.0, -1.0)),)
 _FALLING: dict[str, Any] = {"gravity": (0.0, 1000.0), "air_friction": 0.0, "walls": _FLOOR}
 
 
 def _maker(recipe: type[AnyRecipe], ordered: int = 0, **usual: Any) -> Callable[..., Scene]:
-    """The function that makes scenes with a recipe.
+    """Return the function that makes scenes with a recipe.
 
     Args:
-        ordered: how many of the recipe's first numbers may be given without their names.
-        usual: what its scenes and their recipe have where its caller says nothing else.
+        ordered: how many of the recipe's first numbers may be positional arguments.
+        usual: defaults of its scenes and their recipe.
     """
     name = str(recipe.__struct_config__.tag)
     first = recipe.__struct_fields__[:ordered]
@@ -65,7 +65,7 @@ def _maker(recipe: type[AnyRecipe], ordered: int = 0, **usual: Any) -> Callable[
     Raises:
         SceneError: a number is unknown or out of range; the sentence names it.
     """
-    # What help() and editors show. The annotations, which are long, are those of the types.
+    # What help() and editors show. The long annotations are those of the types.
     defaults = {field: p.default for field, p in inspect.signature(recipe).parameters.items()}
     of_scene = inspect.signature(Scene).parameters
     defaults |= {field: of_scene[field].default for field in _OF_SCENES} | {"name": name} | usual
@@ -126,9 +126,9 @@ heart = _maker(Heart, beat=Beat(frequency=1.2), air_friction=0.002, arrow_keys=_
 
 
 def fine_rope(masses: int, **changes: Any) -> Scene:
-    """The tutorial's rope of twelve masses, divided more finely; horizontal, held at its left end.
+    """Return the tutorial's rope of twelve masses, divided more finely; horizontal, held at its left end.
 
-    Length, weight, drag and stiffness of the rope as a whole stay the same. `changes` are arguments of
+    Length, weight, drag and stiffness of the rope as a whole are unchanged. `changes` are arguments of
     `rope`.
     """
     finer = (masses - 1) / 11.0

@@ -1,4 +1,4 @@
-"""The numbers that scenes are made of, with the range of each.
+"""The numeric types of scenes, with the range of each.
 
 Validation, error messages, sliders and the JSON Schema are derived from these annotations.
 """
@@ -19,7 +19,7 @@ MAX_SPEED = 1e9
 """Largest absolute value of a velocity component, px/s."""
 
 RUNAWAY_SPEED = 1e6
-"""Speed (px/s) at which a body under a method without error control counts as having run away."""
+"""Speed, px/s, from which a body under a method without error control counts as having run away."""
 
 
 def bounded(
@@ -30,7 +30,7 @@ def bounded(
     slider: tuple[float, float] | None = None,
     logarithmic: bool = False,
 ) -> Meta:
-    """The annotation of a number: its range, its unit, what it is, and the range of its slider, if any."""
+    """Return the annotation of a number: its range, unit, description, and slider range, if any."""
     return Meta(
         ge=low,
         le=high,
@@ -57,7 +57,7 @@ Vector = tuple[Coordinate, Coordinate]
 
 
 def annotation_of(hint: Any) -> tuple[type, Meta] | None:
-    """Type and annotation of the number that a field is, may be or has, by its type; None for no number."""
+    """Return the type and annotation of the number in a field's type; None if there is no number."""
     meta = next((each for each in getattr(hint, "__metadata__", ()) if isinstance(each, Meta)), None)
     if meta is not None:
         return get_args(hint)[0], meta
@@ -65,5 +65,6 @@ def annotation_of(hint: Any) -> tuple[type, Meta] | None:
 
 
 def of_python(value: Any) -> Any:
-    """A NumPy number as one of Python's; of any other value the name of its type, which msgspec refuses."""
+    """Convert a NumPy number to a Python number, and any other value to its type's name, which msgspec
+    refuses."""
     return next((kind(value) for kind in (float, int, str) if isinstance(value, kind)), type(value).__name__)

@@ -1,4 +1,4 @@
-"""What bodies are made of: masses, linear and angular springs, their muscles, and anchors."""
+"""The components of bodies: masses, linear and angular springs, their muscles, and anchors."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         velocity: at the start, px/s, each component within ±1e9; ignored while the mass is held.
         mass: 1e-6..1e6 kg.
         radius: 1e-3..1e4 px; used for drawing only.
-        force: a constant force on it (a point load), each component within ±1e15 kg px/s²; files leave it out
-            where there is none. A held mass hands it on to what holds it.
+        force: a constant force on it (a point load), each component within ±1e15 kg px/s²; omitted in files
+            if there is none. A held mass passes it on to its support.
     """
 
     position: Vector
@@ -43,20 +43,20 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 Wave = Literal["sine", "pulse"]
-"""How a muscle moves during a beat; see `Muscle`."""
+"""The waveform of a muscle during a beat; see `Muscle`."""
 
 
 class Muscle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What moves a spring's rest length or a joint's rest angle up and down in time with the scene's `Beat`.
+    """Makes a spring's rest length or a joint's rest angle oscillate in time with the scene's `Beat`.
 
-    At the phase p the wave "sine" is sin p, and "pulse" is exp(4 (sin p - 1)): it rests near 0 for most of
-    the time, and comes up to 1 where the sine does. With b(t) the beats until time t, p is
-    2 pi (per_beat b(t) + phase / 360°).
+    At the phase p the wave "sine" is sin p, and "pulse" is exp(4 (sin p - 1)): it stays near 0 for most of
+    the time, and rises to 1 where the sine does. With b(t) the number of beats until time t, p is 2 pi
+    (per_beat b(t) + phase / 360°).
 
     Attributes:
-        phase: 0..360 °, how far ahead of the beat it is.
-        wave: its shape.
-        per_beat: 1..16, waves in a beat.
+        phase: 0..360 °, its lead over the beat.
+        wave: its waveform.
+        per_beat: 1..16, waves per beat.
     """
 
     phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of a muscle")] = 0.0
@@ -96,11 +96,11 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
         damping: 0..1e6 kg/s.
         rest_length: 0..1e6 px.
         strength: the force at which it breaks, 0..1e15 kg px/s², or None if it never does. The angular
-            springs that hold it break with it.
-        yield_force: the force beyond which it is stretched or squeezed for good, so that its rest length
-            follows, 0..1e15 kg px/s², or None if it never is.
-        hardening: 0..1e15 kg/s²; by how much the yield force grows per px by which the rest length has moved.
-        muscle: what moves its rest length; files leave it out where there is none.
+            springs attached to it break with it.
+        yield_force: the force beyond which it is permanently stretched or compressed, changing its rest
+            length, 0..1e15 kg px/s², or None if it never is.
+        hardening: 0..1e15 kg/s²; increase of the yield force per px of permanent change of the rest length.
+        muscle: the muscle that changes its rest length; omitted in files if there is none.
     """
 
     a: Index
@@ -115,7 +115,7 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
 
 
 class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
-    """A spring that holds two linear springs, which share a mass, at an angle.
+    """A spring that keeps two linear springs, which share a mass, at an angle.
 
     V is the angle from spring `a` to spring `b`, positive from +x towards +y. Opposite torques act on the two
     springs. Their size depends on the scene's force law:
@@ -134,9 +134,9 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
         stiffness: 0..1e15 kg/s².
         damping: 0..1e6 kg/s.
         rest_angle: -180..180 °.
-        yield_torque: the torque beyond which it is bent for good, so that its rest angle follows,
+        yield_torque: the torque beyond which it is permanently bent, changing its rest angle,
             0..1e18 kg px²/s², or None if it never is.
-        muscle: what moves its rest angle; files leave it out where there is none.
+        muscle: the muscle that changes its rest angle; omitted in files if there is none.
     """
 
     a: Index
@@ -149,7 +149,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
 
 
 class Beat(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The beat that all muscles of a scene keep to: frequency t + phase / 360° beats until time t.
+    """The common beat of all muscles of a scene: frequency t + phase / 360° beats until time t.
 
     Attributes:
         frequency: 0..100 Hz.
@@ -160,13 +160,13 @@ class Beat(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of the beat")] = 0.0
 
     def at_tempo(self, frequency: float, time: float) -> Beat:
-        """The beat of another frequency, Hz, that at a time, s, is where this one is."""
+        """Return a beat of another frequency, Hz, with the same phase at a time, s."""
         phase = (self.phase + 360.0 * (self.frequency - frequency) * time) % 360.0
         return msgspec.structs.replace(self, frequency=frequency, phase=phase)
 
 
 class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The motion of an anchor that goes round a circle.
+    """The motion of an anchor on a circle.
 
     At time t the anchor is displaced from its starting position by radius (sin p, 1 - cos p), with the phase
     p = 2 pi frequency (t - ramp (1 - exp(-t / ramp))), so that it starts at rest and speeds up smoothly.
@@ -174,7 +174,7 @@ class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     Attributes:
         radius: 0..1e4 px.
         frequency: -100..100 Hz; negative values run in the opposite direction.
-        ramp: 1e-3..100 s, the time constant with which it speeds up.
+        ramp: 1e-3..100 s, the time constant of its acceleration.
     """
 
     radius: Annotated[float, bounded(0.0, 1e4, "px", "Radius of an anchor's circle")]
@@ -183,7 +183,7 @@ class Circle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
-    """A mass that is held: it moves only when it is dragged, or on its own circle.
+    """A held mass: it moves only when dragged, or on its own circle.
 
     Under the force law "tutorial", the damping of springs treats a dragged mass as being at rest, as the
     tutorial does. In all other cases the velocity of the anchor counts.
@@ -191,7 +191,7 @@ class Anchor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
     Attributes:
         mass: index of the mass.
         driven: whether the pointer drives it; at most one anchor of a scene is driven.
-        circle: the circle that it moves on, or None.
+        circle: its path, or None.
     """
 
     mass: Index

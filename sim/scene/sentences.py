@@ -38,14 +38,14 @@ _PHRASES: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
     (r"^Object missing required field (`.*`)", r"the field \1 is missing"),
     (r"^Object contains unknown field (`.*`)", r"there is no field \1"),
 )
-"""What msgspec says, and what is said instead."""
+"""Messages of msgspec, and their replacements."""
 
 _HUGE = 2**64
-"""Whole numbers from here on are not printed in a message."""
+"""Whole numbers from this value on are not printed in messages."""
 
 
 def out_of_range(where: str, value: float, meta: msgspec.Meta) -> str:
-    """The sentence for a number outside the range of its annotation."""
+    """Return the sentence for a number outside the range of its annotation."""
     if meta.lt is not None:
         return f"{where}: {value!r} is not in the range {meta.ge:g}..{meta.lt - 1:g}"
     if meta.gt is not None and meta.le is not None:
@@ -57,17 +57,17 @@ def out_of_range(where: str, value: float, meta: msgspec.Meta) -> str:
 
 
 def unit_of(meta: msgspec.Meta) -> str:
-    """The unit of a number, by its annotation."""
+    """Return the unit of a number, from its annotation."""
     return (meta.extra or {}).get("unit", "")
 
 
 def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> str:
-    """The sentence for what could not be converted.
+    """Return the sentence for a value that could not be converted.
 
     Args:
-        error: what msgspec says.
+        error: msgspec's error.
         found: the scene as made in code, or the decoded contents of a JSON file.
-        kind: the type that was wanted.
+        kind: the expected type.
     """
     reason, _, path = str(error).rpartition(" - at `$")
     where = path.rstrip("`").lstrip(".") if reason else ""
@@ -79,7 +79,7 @@ def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> s
             return _expected(at, kind, value)  # a struct of another type
         try:
             if field and get_origin(kind) is Union:
-                # No struct of the union has the tag that the value has.
+                # No struct of the union has the value's tag.
                 at, wanted, value = f"{at}.{field}", Literal[_tags(kind)], value[field]
             elif field:
                 at, wanted = f"{at}.{field}".lstrip("."), get_type_hints(kind, include_extras=True)[field]
@@ -101,7 +101,7 @@ def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> s
 
 
 def in_words(reason: str) -> str:
-    """What msgspec says, on one line and without the names of its types."""
+    """Return a message of msgspec on one line and without the names of its types."""
     reason = " ".join(reason.split())
     for pattern, words in _PHRASES:
         reason = re.sub(pattern, words, reason)
@@ -109,7 +109,7 @@ def in_words(reason: str) -> str:
 
 
 def difference(value: Any, wanted: Any, where: str = "") -> str:
-    """The sentence for the first value that differs from what it was converted to."""
+    """Return the sentence for the first value that differs from its converted form."""
     if isinstance(wanted, msgspec.Struct) and type(value) is type(wanted):
         steps = [(f".{f}", getattr(value, f), getattr(wanted, f)) for f in wanted.__struct_fields__]
     elif isinstance(wanted, tuple) and isinstance(value, tuple):
@@ -121,7 +121,7 @@ def difference(value: Any, wanted: Any, where: str = "") -> str:
 
 
 def _about(where: str, value: Any, kind: Any, meta: msgspec.Meta | None, found: Any) -> str:
-    """The sentence for a value that its type does not allow."""
+    """Return the sentence for a value that its type does not allow."""
     if isinstance(value, int) and abs(value) >= _HUGE:
         return f"{where}: a whole number as large as this is not allowed"
     if get_origin(kind) is Literal:
@@ -144,7 +144,7 @@ def _about(where: str, value: Any, kind: Any, meta: msgspec.Meta | None, found: 
 
 
 def _expected(where: str, kind: Any, value: Any, found: Any = None) -> str:
-    """The sentence for a value of another type; `found` as for `sentence`."""
+    """Return the sentence for a value of a wrong type; `found` as for `sentence`."""
     if get_origin(kind) is tuple and Ellipsis not in get_args(kind):
         return f"{where}: {len(get_args(kind))} numbers are expected, as in a tuple"
     if get_origin(kind) is Union:
@@ -156,7 +156,7 @@ def _expected(where: str, kind: Any, value: Any, found: Any = None) -> str:
 
 
 def _shown(value: Any, found: Any) -> str:
-    """A value as text, in Python's notation or, if it comes from a file, in JSON's."""
+    """Return a value as text, in Python's notation or, if it comes from a file, in JSON's."""
     if isinstance(value, str):
         return repr(value if len(value) <= 60 else value[:60] + "…")
     in_file = isinstance(found, dict)
@@ -168,9 +168,9 @@ def _shown(value: Any, found: Any) -> str:
 
 
 def _split(kind: Any, value: Any) -> tuple[Any, msgspec.Meta | None]:
-    """The type of an annotation, without None, and its range, if it has one.
+    """Return the type of an annotation, without None, and its range, if it has one.
 
-    Of several structs it is the one that the value is, by its type or by its tag.
+    Among several structs it is the one that matches the value by type or tag.
     """
     meta = None
     while get_origin(kind) in (Annotated, Union, UnionType):
@@ -186,12 +186,12 @@ def _split(kind: Any, value: Any) -> tuple[Any, msgspec.Meta | None]:
 
 
 def _tags(union: Any) -> tuple[str, ...]:
-    """The tags of the structs of a union."""
+    """Return the tags of the structs of a union."""
     return tuple(struct.__struct_config__.tag for struct in get_args(union))
 
 
 def _tagged(structs: list[Any], value: Any) -> Any:
-    """The struct of a tagged union that a value is, or the whole union if it is none of them."""
+    """Return the struct of a tagged union that matches a value, or the whole union if none does."""
     for struct in structs:
         config = struct.__struct_config__
         if type(value) is struct or (isinstance(value, dict) and value.get(config.tag_field) == config.tag):

@@ -1,4 +1,4 @@
-"""What a body meets besides its own springs: moving air, a medium, the ground, walls, and what fills it."""
+"""The surroundings of a body: moving air, a medium, the ground and walls; also fillings and contact."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from .numbers import Index, Length, Speed, Vector, bounded
 
 Pressure = Annotated[float, bounded(0.0, 1e9, "kg/s²", "Pressure")]
 STILL_AIR = 1e-6
-"""px/s below which there is no wind."""
+"""Speed, px/s, below which there is no wind."""
 
 Restitution = Literal["viscous", "constant"]
-"""How the part of the speed that is left after a bounce goes by the speed; see `Wall`."""
+"""How the fraction of the speed that remains after a bounce depends on the speed; see `Wall`."""
 
 Area = Annotated[float, bounded(1e-6, 1e12, "px²", "An area")]
 
 
 class Wind(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Air that moves; the scene's air friction acts against the velocity relative to it.
+    """Moving air; the scene's air friction opposes the velocity relative to it.
 
-    Gusts are frozen eddies that the mean wind carries along (Taylor 1938): a sum of plane waves across their
-    direction, whose phases and directions follow from the seed (Kraichnan 1970). So the air is neither
-    compressed nor the same everywhere, and the same seed gives the same gusts.
+    Gusts are frozen eddies carried along by the mean wind (Taylor 1938): a sum of transverse plane waves,
+    whose phases and directions follow from the seed (Kraichnan 1970). The air is therefore incompressible but
+    not uniform, and the same seed gives the same gusts.
 
     Attributes:
         velocity: of the mean wind, px/s.
@@ -46,8 +46,8 @@ class Medium(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
     The force per length of a spring is -across v across it and -along v along it, where v is the velocity
     relative to the medium; half of a spring counts for each end. This is resistive force theory (Gray &
-    Hancock 1955), for what is small and slow. The scene's wind moves the medium. For a slender rod, `across`
-    is nearly twice `along`.
+    Hancock 1955), valid for small and slow bodies. The scene's wind moves the medium. For a slender rod,
+    `across` is nearly twice `along`.
 
     Attributes:
         across: 0..1e6 kg/(px s).
@@ -59,16 +59,16 @@ class Medium(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The ground on which all springs lie, in a scene seen from above. Its friction depends on the
-    direction, as that of a snake's scales does.
+    """The ground on which all springs lie, in a scene seen from above. Its friction depends on the direction,
+    like that of a snake's scales.
 
-    All springs of a mass bear an equal share of its weight. With the weight N on an end of a spring that
+    All springs of a mass carry an equal share of its weight. With the weight N on an end of a spring that
     slides at the velocity v, the force on it is -N (sideways v_n n + forward v_t t) / w, across the spring
     and along it, with w = sqrt(|v|² + slip_speed²), and with `backward` where it slides backwards. Forwards
     is from the spring's mass a to its mass b. A mass without springs slides freely.
 
     Attributes:
-        gravity: 0..1e6 px/s², at which all masses are pressed onto the ground.
+        gravity: 0..1e6 px/s², the acceleration that presses all masses onto the ground.
         forward, backward, sideways: 0..100, coefficients of friction.
         slip_speed: 1e-3..1e6 px/s.
     """
@@ -81,30 +81,30 @@ class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A straight wall, floor or slope without end, which pushes back every mass that has entered it.
+    """An infinite straight wall, floor or slope, which pushes back every mass that has entered it.
 
     A mass m at the depth d is pushed out with m hardness d² (1 + c s), where s is the speed at which it
-    enters, and c follows from the bounciness (Hunt & Crossley 1975). So under gravity g it comes to rest at
-    the depth sqrt(g / hardness).
-    Along the wall, a mass that is pushed with N is slowed by friction N tanh(s / slip_speed) at the speed s.
-    So it creeps even on a slope that would hold it: the smaller the slip speed, the slower. With a tangential
-    hardness it does not: a spring of stiffness m tangential_hardness holds it where it touched the wall, and
-    slides along as soon as it pulls with more than friction N (Cundall & Strack 1979).
+    enters, and c follows from the bounciness (Hunt & Crossley 1975). Under gravity g it therefore comes to
+    rest at the depth sqrt(g / hardness). Along the wall, a mass that is pushed with N is slowed by friction N
+    tanh(s / slip_speed) at the speed s. It therefore creeps even on a slope on which it should stick: the
+    smaller the slip speed, the slower. With a tangential hardness it does not creep: a spring of stiffness m
+    tangential_hardness holds it where it touched the wall, and it slides as soon as the spring pulls with
+    more than friction N (Cundall & Strack 1979).
 
     Attributes:
         point: any point of the wall's surface.
-        normal: any vector but zero, from the surface to the side that is free.
+        normal: any vector but zero, from the surface to the free side.
         hardness: 1e-3..1e9 1/(px s²), the acceleration at a depth of 1 px.
         friction: 0..100, coefficient of friction.
-        bounciness: 0..1; the speed at which a mass leaves that has hit the wall, as a fraction of that. A
-            method with a fixed step takes more of what is so fast that it is deep inside after a step.
-        restitution: at which speeds `bounciness` holds. "viscous": at 1000 px/s; slower masses keep more of
-            their speed, and very slow ones all of it.
-            "constant": at all speeds, by a push that is larger while a mass goes in than while it comes out
-            (Walton & Braun 1986). Then what bounces comes to rest; 0.1 is the least that is distinguished.
+        bounciness: 0..1; the speed of a mass after a bounce, as a fraction of that before. A fixed-step
+            method takes more from a mass so fast that it is deep inside after a step.
+        restitution: the speeds at which `bounciness` is exact. "viscous": at 1000 px/s; slower masses keep
+            more of their speed, and very slow ones all of it. "constant": at all speeds, by a force that is
+            larger while a mass goes in than while it comes out (Walton & Braun 1986). Bouncing masses then
+            come to rest; 0.1 is the smallest value distinguished.
         slip_speed: 1e-3..1e6 px/s.
-        tangential_hardness: 0..1e9 1/s², the acceleration along the wall at a stretch of 1 px; 0 for friction
-            that creeps. As stiff as the wall is for a mass at rest under gravity g: 2 sqrt(g hardness).
+        tangential_hardness: 0..1e9 1/s², the acceleration along the wall at a stretch of 1 px; 0 for creeping
+            friction. The stiffness of the wall for a mass at rest under gravity g is 2 sqrt(g hardness).
     """
 
     point: Vector
@@ -121,15 +121,15 @@ class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True,
     """A gas inside a closed loop of masses, at a constant temperature.
 
     Its pressure is pressure * area / A where the loop's area is A, so that it never vanishes. The force on
-    the masses is the pressure, less that outside, times the gradient of A. Below a hundredth of the area,
-    or of the loop's own or a thousandth of the square of the length around it where that is larger, the
-    pressure grows linearly, through an area of zero and beyond: a long time step may arrive there.
+    the masses is the pressure, less that outside, times the gradient of A. Below a hundredth of the area, or
+    of the loop's own area or a thousandth of its squared perimeter where that is larger, the pressure grows
+    linearly, through an area of zero and beyond, where a long time step may lead.
 
     Attributes:
         masses: indices of the masses around the loop, in order, at least three.
         pressure: 0..1e9 kg/s², force per length, at the given area.
         outside: 0..1e9 kg/s², the pressure outside.
-        area: px²; None for the loop's own where its masses are by the scene.
+        area: px²; None for the loop's area in the scene.
     """
 
     masses: tuple[Index, ...]
@@ -148,7 +148,7 @@ class Liquid(
     Attributes:
         masses: indices of the masses around the loop, in order, at least three.
         bulk_modulus: 0..1e9 kg/s².
-        area: px²; None for the loop's own where its masses are by the scene.
+        area: px²; None for the loop's area in the scene.
     """
 
     masses: tuple[Index, ...]
@@ -160,19 +160,19 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     """Contact of bodies with each other and with themselves, so that masses do not pass through springs.
 
     A mass that comes closer to a linear spring than `distance` is pushed away from it, with the force
-    stiffness d² (1 + c s) at the depth d, as by a wall; the spring's two masses get the opposite force, each
-    the more the nearer the contact is to it. A mass with the kinetic energy stiffness distance³ / 3 passes.
+    stiffness d² (1 + c s) at the depth d, as by a wall; the opposite force is divided between the spring's
+    two masses, more to the nearer one. A mass with the kinetic energy stiffness distance³ / 3 passes through.
 
-    A mass never touches springs that it is an end of, nor springs of its own body (what springs connect) to
-    which it is nearer than 1.25 times the distance by the positions of the scene's masses. Masses without
-    springs do not touch each other.
+    A mass never touches springs attached to it, nor springs of its own body (masses connected by springs)
+    that are nearer than 1.25 times the distance in the scene's initial positions. Masses without springs do
+    not touch each other.
 
     Attributes:
         distance: 0..1e6 px, at which contact begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
         friction, bounciness, slip_speed, restitution: as in `Wall`.
-        tangential_stiffness: 0..1e12 kg/s², of the tangential springs that hold what does not slide, see
-            `Wall`; 0 for friction that creeps. A contact is as stiff as 2 sqrt(N stiffness) under the push N.
+        tangential_stiffness: 0..1e12 kg/s², of the tangential springs that make masses stick, see `Wall`; 0
+            for creeping friction. The stiffness of a contact under the force N is 2 sqrt(N stiffness).
     """
 
     distance: Length
@@ -185,8 +185,8 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
 
 
 def loop_area(points: Sequence[Vector]) -> float:
-    """Area inside a closed loop of points, px²."""
-    # About one of them, so that it is exact far from the origin, too.
+    """Return the area inside a closed loop of points, px²."""
+    # Relative to one of them, so that it is also exact far from the origin.
     x, y = points[0]
     at = [(p[0] - x, p[1] - y) for p in points]
     return abs(math.fsum(p[0] * q[1] - p[1] * q[0] for p, q in zip(at, at[1:] + at[:1], strict=True))) / 2.0

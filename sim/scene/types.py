@@ -22,7 +22,7 @@ from .recipes.recipe import Rope as Rope
 from .surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 
 FORMAT_VERSION = 3
-"""Version of the file format that this release writes; older files are read, newer ones are refused."""
+"""Version of the file format that this release writes; it reads older files and refuses newer ones."""
 
 ForceLaw = Literal["tutorial", "conservative", "angle"]
 """The force law of the angular springs; see `AngularSpring`."""
@@ -48,11 +48,11 @@ class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
     """The integration method and its parameters.
 
     Attributes:
-        method: see `sim.solve.registry`. "auto" keeps to the tolerance and chooses other methods by itself;
+        method: see `sim.solve.registry`. "auto" meets the tolerance, choosing other methods by itself;
             "symplectic_euler" is the tutorial's.
-        dt: 1e-6..1 s. The step of a method with a fixed step. Adaptive methods choose their own steps; for
-            them `dt` is only the unit in which the clock advances.
-        tolerance: 1e-12..1e3 px; the position error that adaptive methods aim at after one second.
+        dt: 1e-6..1 s. The step of a fixed-step method. Adaptive methods choose their own steps; for them `dt`
+            is only the unit in which the clock advances.
+        tolerance: 1e-12..1e3 px; the target position error of adaptive methods after one second.
     """
 
     method: Method = "auto"
@@ -61,7 +61,7 @@ class Integrator(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_field
 
 
 class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What a held arrow key does, per `interval` of simulated time.
+    """The effect of a held arrow key, per `interval` of simulated time.
 
     Attributes:
         rest_length_factor: 1..2; Up multiplies every rest length by it, Down divides.
@@ -75,11 +75,11 @@ class ArrowKeys(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
 
 
 Readout = Literal["sine", "cosine", "radians", "degrees", "rest_angle", "stability"]
-"""What the page can show of a joint's angle, and the time step over the stability limit."""
+"""Readouts of a joint's angle on the page, and of the time step relative to the stability limit."""
 
 
 Control = Annotated[str, Meta(min_length=1, max_length=80)]
-"""The name of a control of the page; the page knows which there are."""
+"""The name of a control of the page, which knows them all."""
 
 
 class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -90,8 +90,9 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         unit: label of the unit of length.
         frame: the region shown initially, (x min, y min, x max, y max) in px.
         colors: the colour scheme: softrod's own, or the tutorial's green springs and red masses.
-        readouts: what is shown of a joint's angle; with "stability", always the stability meter, too.
-        controls: names of the controls that the page has, in order; None for all.
+        readouts: what is shown of a joint's angle; with "stability", the stability meter is always shown,
+            too.
+        controls: names of the page's controls, in order; None for all.
     """
 
     y_down: bool = True
@@ -103,13 +104,13 @@ class View(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 
 
 class Damage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What has yielded and broken in a running simulation. A tuple is empty where nothing of its kind has.
+    """Everything that has yielded or broken in a running simulation. Tuples without such parts are empty.
 
     Attributes:
-        broken: indices of the linear springs that are broken, ascending.
-        set_lengths: px by which the rest length of each linear spring has moved for good.
-        hardened: kg px/s² by which the yield force of each linear spring has grown.
-        set_angles: degrees by which the rest angle of each angular spring has moved for good.
+        broken: indices of the broken linear springs, ascending.
+        set_lengths: permanent change of the rest length of each linear spring, px.
+        hardened: increase of the yield force of each linear spring, kg px/s².
+        set_angles: permanent change of the rest angle of each angular spring, degrees.
     """
 
     broken: tuple[Index, ...] = ()
@@ -119,11 +120,11 @@ class Damage(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Grips(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """The tangential springs by which friction holds what touches, see `Wall` and `Contact`.
+    """The tangential springs by which friction holds touching masses, see `Wall` and `Contact`.
 
     Attributes:
-        walls: of each, the wall, the mass, and the stretch along the wall, px.
-        springs: of each, the linear spring, the mass that touches it, and the stretch, px.
+        walls: for each, the wall, the mass, and the stretch along the wall, px.
+        springs: for each, the linear spring, the touching mass, and the stretch, px.
     """
 
     walls: tuple[tuple[Index, Index, Coordinate], ...] = ()
@@ -136,8 +137,8 @@ class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     Attributes:
         positions: one per mass, px.
         velocities: one per mass, px/s.
-        damage: what has yielded and broken, or None.
-        grips: the tangential springs by which friction holds, or None.
+        damage: everything that has yielded or broken, or None.
+        grips: the tangential springs of sticking friction, or None.
     """
 
     positions: tuple[Vector, ...]
@@ -149,32 +150,30 @@ class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
 class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, weakref=True):
     """A body, its surroundings, and how it is solved and shown.
 
-    What is in it is given either by masses, springs, anchors and fillings, or by recipes: `bodies`, and
-    `links` between them. Recipes are expanded when the scene is made, so that code can always read the
-    masses and springs.
+    The body is given either by masses, springs, anchors and fillings, or by recipes: `bodies`, and `links`
+    between them. Recipes are expanded when the scene is made, so that code can always read the masses and
+    springs.
 
     Attributes:
         format: version of the file format, 3.
         name: 1..60 characters.
-        title: what the scene is called where people choose one, at most 60 characters; empty for its name.
+        title: the name shown in lists of scenes, at most 60 characters; empty for its name.
         description: what the scene shows, at most 2000 characters.
-        bodies: the recipes; the masses and springs of each come after those of the one before.
-        links: linear springs between masses of the bodies; they come after all others.
+        bodies: the recipes; the masses and springs of each follow those of the previous one.
+        links: linear springs between masses of the bodies; they follow all others.
         masses, linear_springs, angular_springs, anchors: the body.
         fillings: gases and liquids in closed loops of masses.
         gravity: acceleration, px/s², each component within ±1e6; +y is down where `view.y_down`.
         air_friction: 0..1000 kg/px; the force on each axis is -air_friction v |v|.
-        wind: air that moves, or None.
-        medium: a viscous medium around all springs, which the wind moves; files leave it out where there is
-            none.
-        ground: ground below all springs of a scene seen from above; files leave it out where there is none.
+        wind: moving air, or None.
+        medium: a viscous medium around all springs, which the wind moves; omitted in files if there is none.
+        ground: ground below all springs of a scene seen from above; omitted in files if there is none.
         walls: walls, floors and slopes.
         contact: contact of bodies with each other and with themselves, or None.
         rest_length_scale: 0.01..100; multiplies every rest length.
-        beat: what the muscles of springs and joints keep to; without it, which files leave out, they rest.
-        template: one of the tutorial's eight rest angles for every joint, or None. The angular springs
-            must then have that rest angle. The diagonal templates are sqrt(2) times as stiff as the general
-            law.
+        beat: the common beat of all muscles, which rest without one; omitted in files if there is none.
+        template: one of the tutorial's eight rest angles for every joint, or None. The angular springs must
+            then have that rest angle. The diagonal templates are sqrt(2) times as stiff as the general law.
         force_law: the force law of the angular springs, see `AngularSpring`.
         integrator, arrow_keys, view: see their types; without `arrow_keys` the keys have no effect.
         pose: a saved state to start from, or None to start from the masses' own positions.
@@ -210,48 +209,48 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     lesson: Lesson | None = None
 
     def __post_init__(self) -> None:
-        # Every scene is made here, those from files included, so this is where recipes are expanded.
+        # Every scene is made here, including those from files, so this is where recipes are expanded.
         if self.bodies and not self.masses:
             try:
-                # A recipe may be anything until it is looked at; out of its ranges, it could take for ever.
+                # A recipe may contain anything until checked; out of its ranges, it could take forever.
                 msgspec.convert(msgspec.to_builtins(self.bodies, enc_hook=of_python), tuple[AnyRecipe, ...])
                 body = expand(self.bodies, self.links)
             except (ArithmeticError, AttributeError, TypeError, ValueError):
-                return  # the validation says what is wrong with the recipe
+                return  # validation reports what is wrong with the recipe
             for field, value in zip(BODY_FIELDS, body, strict=True):
                 msgspec.structs.force_setattr(self, field, value)
 
 
 def shown_name(scene: Scene) -> str:
-    """What people read as a scene's name: a preset's title, or the name that it is saved under."""
+    """Return a scene's displayed name: a preset's title, or the name under which it is saved."""
     return scene.title or scene.name
 
 
 def is_windy(scene: Scene) -> bool:
-    """Whether a scene has wind, and air friction or a medium by which it acts."""
+    """Return whether a scene has wind, and air friction or a medium through which it acts."""
     return scene.wind is not None and bool(scene.air_friction > 0.0 or scene.medium)
 
 
 def is_loaded(scene: Scene) -> bool:
-    """Whether a constant force acts on any mass."""
+    """Return whether a constant force acts on any mass."""
     return any(mass.force for mass in scene.masses)
 
 
 def is_muscular(scene: Scene) -> bool:
-    """Whether muscles move any of a scene's springs or joints."""
+    """Return whether muscles move any of a scene's springs or joints."""
     return bool(scene.beat) and any(
         part.muscle for parts in (scene.linear_springs, scene.angular_springs) for part in parts
     )
 
 
 def is_damageable(scene: Scene) -> bool:
-    """Whether any spring of a scene breaks or yields."""
+    """Return whether any spring of a scene can break or yield."""
     springs, joints = scene.linear_springs, scene.angular_springs
     return has_any(springs, "strength") or has_any(springs, "yield_force") or has_any(joints, "yield_torque")
 
 
 def rebuilt(scene: Scene, **changes: Any) -> Scene:
-    """The scene with other recipes or links and with the body that they make, not yet validated.
+    """Return the scene with other recipes or links and the resulting body, not yet validated.
 
     A saved pose is kept unless the number of masses changes.
     """

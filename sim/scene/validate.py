@@ -1,6 +1,6 @@
 """Validation: refuses every scene that cannot be simulated, with one sentence that names the field.
 
-Types and ranges are annotations in `sim.scene.types`. msgspec reads them there, so a scene made in code must
+Types and ranges are annotations in `sim.scene.types`, which msgspec reads, so a scene made in code must
 satisfy the same limits as one read from a file.
 """
 
@@ -27,17 +27,17 @@ SHORTEST = 1e-9
 """Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
 
 _valid: dict[int, weakref.ref[Scene]] = {}
-"""The scenes that were found valid, by id, as long as they live: a scene is frozen, with all that is in it.
-Most come here more than once: from the function that made them, and from a simulation."""
+"""Scenes found valid, by id, as long as they exist: a scene is frozen, with all its contents. Most come here
+more than once: from the function that made them, and from a simulation."""
 
 _writer, _reader = msgspec.msgpack.Encoder(enc_hook=of_python), msgspec.msgpack.Decoder(Scene)
 
 _HALF = re.compile("[\ud800-\udfff]")
-"""Half of a surrogate pair: a Python string can contain one, UTF-8 cannot."""
+"""Half of a surrogate pair, which a Python string can contain but UTF-8 cannot."""
 
 
 def validate(scene: Scene) -> Scene:
-    """Return the scene unchanged, or refuse it.
+    """Return the scene unchanged if it is valid.
 
     Raises:
         SceneError: one sentence that names the field, as in
@@ -58,7 +58,7 @@ def validate(scene: Scene) -> Scene:
 
 
 def consistent(scene: Scene) -> Scene:
-    """Return a scene whose types and ranges are right, or refuse it because its parts do not fit together.
+    """Return a scene whose types and ranges are right, if its parts fit together.
 
     Raises:
         SceneError: as `validate`.
@@ -69,7 +69,7 @@ def consistent(scene: Scene) -> Scene:
 
 
 def consistent_pose(pose: Pose, scene: Scene) -> Pose:
-    """Return a pose whose types and ranges are right, or refuse it because it is not one of the scene's body.
+    """Return a pose whose types and ranges are right, if it fits the scene's body.
 
     Raises:
         SceneError: as `validate`.
@@ -80,7 +80,7 @@ def consistent_pose(pose: Pose, scene: Scene) -> Pose:
 
 
 def _read_back(scene: Scene) -> Scene:
-    """The scene as it is read from what it is written as.
+    """Return the scene as read from its written form.
 
     Raises:
         SceneError: a type or a number is wrong.
@@ -88,7 +88,7 @@ def _read_back(scene: Scene) -> Scene:
     try:
         return _reader.decode(_writer.encode(scene))
     except Exception:
-        # By dicts it takes several times as long, but what is wrong is known even if it cannot be written.
+        # Conversion to dicts takes several times as long, but finds errors even if it cannot be written.
         try:
             return msgspec.convert(msgspec.to_builtins(scene, enc_hook=of_python), Scene)
         except msgspec.ValidationError as error:
@@ -96,8 +96,8 @@ def _read_back(scene: Scene) -> Scene:
 
 
 def number_range(kind: type, field: str) -> tuple[float, float, str]:
-    """(lowest, highest, unit) of a numeric field of a scene's types, from its annotation; of a vector,
-    those of its components."""
+    """Return (lowest, highest, unit) of a numeric field of a scene's types, from its annotation; for a
+    vector, those of its components."""
     found = annotation_of(get_type_hints(kind, include_extras=True)[field])
     assert found is not None, "it is a number"
     _, meta = found
@@ -108,7 +108,7 @@ def number_range(kind: type, field: str) -> tuple[float, float, str]:
 
 # ------------------------------------------------------------------------- consistency
 def _problems(scene: Scene) -> Iterator[str]:
-    """One sentence for each thing that is wrong with how the parts fit together."""
+    """Yield a sentence for each inconsistency between the parts."""
     if scene.format > FORMAT_VERSION:
         yield (
             f"format: this scene has format version {scene.format}, newer than {FORMAT_VERSION}, which is "
@@ -242,7 +242,7 @@ def _linear_problems(scene: Scene, n: int) -> Iterator[str]:
 
 
 def _pair(a: int, b: int) -> int:
-    """A number for an unordered pair of indices."""
+    """Return a number that identifies an unordered pair of indices."""
     return a << 32 | b if a < b else b << 32 | a
 
 
@@ -272,7 +272,7 @@ def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
 
 
 def _limit_problems(scene: Scene) -> Iterator[str]:
-    """What is wrong with the forces and torques at which springs break or yield."""
+    """Yield errors in the forces and torques at which springs break or yield."""
     for s, spring in enumerate(scene.linear_springs):
         yields = spring.yield_force
         if yields is None:

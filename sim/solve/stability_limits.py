@@ -1,7 +1,7 @@
-"""Stability limits of methods with a fixed step, from the stiffness and damping of small motions.
+"""Stability limits of fixed-step methods, from the stiffness and damping of small motions.
 
-The linearised motion is M a = -K x - C v. k and c are these matrices in coordinates in which the mass matrix
-is the unit matrix, projected on a few motions. Each method has its own rule for the largest stable step.
+The linearised motion is M a = -K x - C v. k and c are these matrices in mass-normalised coordinates,
+projected on a few motions. Each method has its own rule for the largest stable step.
 """
 
 from __future__ import annotations
@@ -18,29 +18,29 @@ Floats = NDArray[np.float64]
 """An array of floats of any shape."""
 
 _GROWTH = 0.5
-"""Growth rate of a motion, 1/s, that does not count as unstable: with some Runge-Kutta methods, such as those
-of order 2, undamped motions grow very slowly at any step."""
+"""Growth rate of a motion, 1/s, that is tolerated: with some Runge-Kutta methods, such as those of order 2,
+undamped motions grow very slowly at any step."""
 
 _GROWS = 1.001
 """Modulus of an eigenvalue of a step above which the step is unstable."""
 _NEAR = 2e-3
-"""Relative distance from the limit at which the eigenvalues are looked at, and to which it is found."""
+"""Relative accuracy of the limit, and distance from it at which the eigenvalues are checked."""
 _MOTIONS = 12
-"""How many motions are looked at, the fastest, where the eigenvalues of the whole step decide."""
+"""Number of motions considered, fastest first, where the eigenvalues of the whole step decide."""
 _SHORTER = 0.9
-"""Ratio of the steps that are tried until one is stable, or until one is not."""
+"""Ratio of successive step lengths tried until one is stable, or until one is not."""
 _SHORTEST = 0.05
-"""How far from the limit of real eigenvalues they are tried, as a fraction of it."""
+"""Smallest step tried, as a fraction of the limit from real eigenvalues; the inverse bounds the largest."""
 
 
 @dataclass(frozen=True)
 class StabilityLimit:
-    """The rule by which a method's limit follows from k and c.
+    """The rule that gives a method's limit from k and c.
 
     Attributes:
         damping: weight of dt c relative to dt² k, exactly or approximately, in the rule.
-        solve: takes k (n, n), 1/s², and c (n, n), 1/s. Returns the limit, s, which is infinite if there is
-            none, and the motion (n,) that sets it, which may be complex: its parts then take turns.
+        solve: takes k (n, n), 1/s², and c (n, n), 1/s. Returns the limit, s, infinite if there is none, and
+            the motion (n,) that sets it, which may be complex: its real and imaginary parts then alternate.
     """
 
     damping: float
@@ -48,32 +48,33 @@ class StabilityLimit:
 
 
 def period_doubling_limit(weight: float, step: Callable[[Floats, Floats], Floats]) -> StabilityLimit:
-    """The rule of methods that become unstable at an eigenvalue -1, where (dt² k + weight dt c) y = 4 y.
+    """Return the rule for methods that become unstable at an eigenvalue -1, where (dt² k + weight dt c) y = 4
+    y.
 
-    That is exact where k and c are symmetric. Damping in a body that moves, friction and the tutorial's law
-    make them unsymmetric. Then a pair of complex eigenvalues may leave the unit circle near -1, so the
-    eigenvalues of the whole step decide. Only those with a negative real part count: motions that the step
-    resolves with more than four points a period grow as they would by themselves. Where the fast vibrations
-    would grow by themselves, too, twice that growth is allowed.
+    This is exact where k and c are symmetric. Damping in a moving body, friction and the tutorial's law make
+    them unsymmetric. A pair of complex eigenvalues may then leave the unit circle near -1, so the eigenvalues
+    of the whole step decide. Only those with a negative real part count: motions resolved with more than four
+    steps per period grow at their own physical rate. Where the fast vibrations are physically unstable too,
+    twice their growth is allowed.
 
     Args:
         weight: see above.
-        step: the matrix of a step, of dt² k and dt c.
+        step: the matrix of a step as a function of dt² k and dt c.
     """
 
     def solve(k: Floats, c: Floats) -> tuple[float, Floats]:
-        # With s = 1/dt it is s² y = s (weight c / 4) y + (k / 4) y, the eigenvalues of a companion matrix.
+        # With s = 1/dt, s² y = s (weight c / 4) y + (k / 4) y gives the eigenvalues of a companion matrix.
         n = len(k)
         companion = np.block([[np.zeros((n, n)), np.eye(n)], [k / 4.0, weight * c / 4.0]])
         values, vectors = np.linalg.eig(companion)
         best = int(np.argmax(np.real(values)))
-        # Below this, nothing pulls: any step is stable.
+        # Below this there is no restoring force: any step is stable.
         if not np.real(values[best]) > 1e-5:
             return np.inf, np.zeros(n)
         limit = 1.0 / float(np.real(values[best]))
         flips = abs(np.imag(values[best])) <= 1e-6 * abs(values[best])
         single = np.real(vectors[:n, best])
-        # Slower motions leave the unit circle later, so those that are about the first to do so suffice.
+        # Slower motions leave the unit circle later, so the first few candidates suffice.
         first = vectors[:n, np.argsort(-np.real(values))[:_MOTIONS]]
         basis, sizes, _ = np.linalg.svd(np.hstack([np.real(first), np.imag(first)]), full_matrices=False)
         basis = basis[:, sizes > 1e-6 * sizes[0]]
@@ -103,13 +104,13 @@ def period_doubling_limit(weight: float, step: Callable[[Floats, Floats], Floats
 
 
 def euler_step(k: Floats, c: Floats) -> Floats:
-    """What a step of symplectic Euler makes of (x, dt v), from dt² k and dt c."""
+    """Return the matrix of a step of symplectic Euler on (x, dt v), from dt² k and dt c."""
     eye = np.eye(len(k))
     return np.block([[eye - k, eye - c], [-k, eye - c]])
 
 
 def verlet_step(k: Floats, c: Floats) -> Floats:
-    """What a step of velocity Verlet makes of (x, dt v, dt² a), from dt² k and dt c: a is for v + dt a."""
+    """Return the matrix of a step of velocity Verlet on (x, dt v, dt² a): a is for v + dt a."""
     eye, zero = np.eye(len(k)), np.zeros_like(k)
     place = np.hstack([eye, eye, 0.5 * eye])
     force = -k @ place - c @ np.hstack([zero, eye, eye])
@@ -117,17 +118,17 @@ def verlet_step(k: Floats, c: Floats) -> Floats:
 
 
 def undamped_step(k: Floats, c: Floats) -> Floats:
-    """`euler_step` of the same motion without damping."""
+    """Return `euler_step` of the same motion without damping."""
     return euler_step(k, np.zeros_like(c))
 
 
 def _fastest(values: NDArray[np.inexact]) -> float:
-    """The largest modulus of the eigenvalues of a step with a negative real part."""
+    """Return the largest modulus of the eigenvalues of a step with a negative real part."""
     return float(np.abs(values[np.real(values) < 0.0]).max(initial=0.0))
 
 
 def _own_growth(k: Floats, c: Floats) -> float:
-    """The rate, 1/s, at which the fast vibrations grow by themselves, whatever the step."""
+    """Return the rate, 1/s, at which the fast vibrations grow physically, independent of the step."""
     n = len(k)
     values = np.linalg.eigvals(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -c]]))
     fast = (np.abs(values) > 0.5 * np.abs(values).max()) & (np.imag(values) != 0.0)
@@ -135,19 +136,20 @@ def _own_growth(k: Floats, c: Floats) -> float:
 
 
 def runge_kutta(table: Tableau) -> StabilityLimit:
-    """The rule of explicit Runge-Kutta methods: |R(dt lambda)| <= 1 where (lambda² + lambda c + k) y = 0."""
+    """Return the rule of explicit Runge-Kutta methods: |R(dt lambda)| <= 1 where (lambda² + lambda c + k) y =
+    0."""
     terms = stability_polynomial(table)
 
     def solve(k: Floats, c: Floats) -> tuple[float, Floats]:
         n = len(k)
         values, vectors = np.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -c]]))
-        # Motions that grow by themselves, as in a buckling rod, do not limit the step.
+        # Physically growing motions, as in a buckling rod, do not limit the step.
         values = np.minimum(np.real(values), 0.0) + 1j * np.imag(values)
         sizes = np.abs(values)
         if not sizes.max() > 1e-5:
             return np.inf, np.zeros(n)
         best, limit = -1, np.inf
-        # The border of stability is about equally far from zero in all directions, so slow motions do not
+        # The stability boundary is about equally far from zero in all directions, so slow motions do not
         # matter.
         for i in np.flatnonzero(sizes > 0.5 * sizes.max()).tolist():
             size = float(sizes[i])
@@ -163,7 +165,8 @@ def runge_kutta(table: Tableau) -> StabilityLimit:
 
 
 def stability_polynomial(table: Tableau) -> Floats:
-    """(stages + 1,) coefficients of R(z) = 1 + sum z^k b A^(k-1) 1 of an explicit method, constant first."""
+    """Return the (stages + 1,) coefficients of R(z) = 1 + sum z^k b A^(k-1) 1 of an explicit method, constant
+    first."""
     stages = table.stages
     a, b = table.a[:stages, :stages], table.a[stages, :stages]
     terms, power = [1.0], np.ones(stages)
@@ -174,13 +177,13 @@ def stability_polynomial(table: Tableau) -> Floats:
 
 
 def _last_crossing(terms: NDArray[np.complex128], growth: float) -> float:
-    """The largest h > 0 at which a polynomial p with p(0) = 1 has |p(h)|² = 1 + 2 growth h.
+    """Return the largest h > 0 at which a polynomial p with p(0) = 1 has |p(h)|² = 1 + 2 growth h.
 
     It is 0 if |p| is larger everywhere.
     """
     size = np.polynomial.polynomial.polymul(terms, terms.conj()).real
     size[1] -= 2.0 * growth
-    # The roots of |p(h)|² - 1 - 2 growth h but for h = 0.
+    # The roots of |p(h)|² - 1 - 2 growth h other than h = 0.
     roots = np.polynomial.polynomial.polyroots(size[1:])
     real = roots.real[(np.abs(roots.imag) <= 1e-6 * np.abs(roots)) & (roots.real > 0.0)]
     return float(real.max()) if real.size else 0.0

@@ -1,1 +1,1 @@
-"""Scenes outside the program: files, folders, links, and what is wrong with them, in sentences."""
+"""Scenes outside the program: files, folders and links, and sentences for what is wrong with them."""

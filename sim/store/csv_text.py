@@ -7,21 +7,22 @@ import io
 from collections.abc import Callable, Iterable
 
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""How texts begin that spreadsheets take for formulas."""
+"""First characters of texts that spreadsheets take for formulas."""
 
 
 def csv_text(
     rows: Iterable[Iterable[object]], decimal_comma: bool = False, digits: Callable[[float], str] = repr
 ) -> str:
-    """Rows as CSV; None leaves its place empty.
+    """Return rows as CSV; None leaves its cell empty.
 
-    A text that a spreadsheet would take for a formula gets an apostrophe before it, since it may be anyone's.
+    A text that a spreadsheet would take for a formula gets a leading apostrophe, since it may come from
+    anyone.
 
     Args:
         rows: cells; other texts and whole numbers are written as they are.
-        decimal_comma: whether numbers have a comma, as spreadsheets of many countries read them. Semicolons
-            then stand between the cells.
-        digits: writes a number; unless given, with as many digits as it takes to read it back exactly.
+        decimal_comma: whether numbers have a decimal comma, as spreadsheets in many countries expect. Cells
+            are then separated by semicolons.
+        digits: formats a number; by default with as many digits as needed to read it back exactly.
     """
 
     def cell(value: object) -> object:

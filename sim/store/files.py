@@ -1,7 +1,7 @@
-"""Scene files: reading, writing, and the two folders that hold them.
+"""Scene files: reading and writing, and the two folders that contain them.
 
-Built-in presets ship with softrod and are never written to. The user's own scenes are kept in the data folder
-of the platform (`platformdirs`).
+Built-in presets ship with softrod and are never written to. The user's own scenes are in the platform's data
+folder (`platformdirs`).
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ from .link import link_data, unpack
 from .places import as_utf8, infinite_number, line_and_column, place_of, repeated_key
 
 MAX_FILE_BYTES = 5_000_000
-"""Size of the largest scene file that is read or written, bytes."""
+"""Largest size of a scene file that is read or written, bytes."""
 
 _TEXT_OR_NUMBERS = re.compile(rb'"(?:[^"\\]|\\.)*"|\[\s+[-+.\deE]+(?:,\s+[-+.\deE]+)*\s+\]')
-"""Matches a string, which is left as it is, or an array of numbers, which is put on one line."""
+"""Matches a string, which is left unchanged, or an array of numbers, which is put on one line."""
 
 
-# There is no way to read the mask of the process but to set it: two threads could leave each other's.
+# The umask of the process can only be read by setting it: two threads could leave each other's.
 _umask_lock = threading.Lock()
 
 
@@ -48,7 +48,7 @@ class SceneInfo:
         title, description: of the scene.
         path: of its file.
         built_in: whether it ships with softrod.
-        group: the folder of presets that it is in, such as "study", or empty.
+        group: its folder of presets, such as "study", or empty.
     """
 
     name: str
@@ -60,25 +60,26 @@ class SceneInfo:
 
 
 def built_in_folder() -> Path:
-    """The folder of the presets: inside the installed package, beside it in a checkout."""
+    """Return the folder of the presets: inside the installed package, beside it in a checkout."""
     installed = Path(__file__).parents[1] / "presets"
     return installed if installed.is_dir() else Path(__file__).parents[2] / "presets"
 
 
 def built_in_files() -> list[Path]:
-    """The presets: first those for the page, then the other groups, each in its own subfolder."""
+    """Return the presets: first those for the page, then the other groups, each in its own subfolder."""
     folder = built_in_folder()
     return [*sorted(folder.glob("*.json")), *sorted(folder.glob("*/*.json"))]
 
 
 def user_folder() -> Path:
-    """The folder of the user's own scenes; it need not exist yet."""
+    """Return the folder of the user's own scenes; it may not exist yet."""
     return platformdirs.user_data_path("softrod", appauthor=False) / "scenes"
 
 
 # ------------------------------------------------------------------------- bytes and scenes
 def encode_scene(scene: Scene) -> bytes:
-    """The scene as an indented JSON file. If it has recipes, the body that follows from them is left out.
+    """Return the scene as an indented JSON file. If it has recipes, the body that follows from them is left
+    out.
 
     Raises:
         SceneError: the scene is not valid.
@@ -88,12 +89,12 @@ def encode_scene(scene: Scene) -> bytes:
 
 
 def indented_json(data: bytes) -> bytes:
-    """JSON with a line for each field; an array of numbers is on one line."""
+    """Format JSON with one line per field; an array of numbers is on one line."""
     return _TEXT_OR_NUMBERS.sub(_on_one_line, msgspec.json.format(data, indent=2) + b"\n")
 
 
 def fields_of(scene: Scene) -> dict[str, Any]:
-    """What a file of a valid scene has, by its fields' names; `encode_fields` makes JSON of it."""
+    """Return the fields in a valid scene's file, by name; `encode_fields` turns them into JSON."""
     fields = {**msgspec.structs.asdict(scene), "format": FORMAT_VERSION}
     fields = {name: value for name, value in fields.items() if value is not msgspec.UNSET}
     if scene.bodies:
@@ -105,7 +106,7 @@ def fields_of(scene: Scene) -> dict[str, Any]:
 
 
 def encode_fields(fields: Any) -> bytes:
-    """JSON on one line of whatever a valid scene is made of."""
+    """Return one line of JSON for any part of a valid scene."""
     return msgspec.json.encode(fields, enc_hook=of_python)
 
 
@@ -115,12 +116,12 @@ def _on_one_line(match: re.Match[bytes]) -> bytes:
 
 
 def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
-    """The scene in a JSON file's bytes.
+    """Read the scene in a JSON file's bytes.
 
     Args:
         data: the whole file.
         source: its name in error messages, usually that of the file.
-        places: whether messages name line and column.
+        places: whether messages give line and column.
 
     Raises:
         SceneError: one sentence, `source: field: reason`.
@@ -173,11 +174,11 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
 
 
 _NO_NUMBER = re.compile(rb'"(?:[^"\\]|\\.)*"|(-?(?:NaN|Infinity|inf|nan)\b)')
-"""A text, or what some programs write for what is no number."""
+"""Matches a text, or what some programs write for NaN and infinity."""
 
 
 def _why_no_json(reason: str, data: bytes) -> str:
-    """What is wrong with a file that is no JSON."""
+    """Explain why a file is not JSON."""
     if not data.strip():
         return "the file is empty"
     for match in _NO_NUMBER.finditer(data):
@@ -187,16 +188,16 @@ def _why_no_json(reason: str, data: bytes) -> str:
 
 
 def _with_line(reason: str, data: bytes) -> str:
-    """What is wrong with a file's JSON, with a line instead of a byte."""
+    """Explain an error in a file's JSON, giving a line instead of a byte."""
     return re.sub(r"byte (\d+)", lambda found: line_and_column(data, int(found[1])), reason)
 
 
 RETIRED = {"dopri5": "adams", "dop853": "adams"}
-"""Methods that have been removed, and the method that files which name them are read with."""
+"""Methods that have been removed, and those that replace them when files are read."""
 
 
 def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
-    """Make a file of format 2 of one of format 1, which had only the tutorial's law and symplectic Euler."""
+    """Convert a file of format 1, which had only the tutorial's law and symplectic Euler, to format 2."""
     integrator = raw.get("integrator", {})
     if isinstance(integrator, dict):
         integrator = {"method": "symplectic_euler", **integrator}
@@ -204,7 +205,7 @@ def _from_format_1(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def _from_format_2(raw: dict[str, Any]) -> dict[str, Any]:
-    """Make a recipe among `bodies` of the field `rope`, which held the only one; it may be null."""
+    """Turn the field `rope`, which contained the only recipe or null, into a recipe among `bodies`."""
     rope = raw["rope"]
     rest = {field: value for field, value in raw.items() if field != "rope"}
     if isinstance(rope, dict):
@@ -221,7 +222,7 @@ def _with_present_method(raw: dict[str, Any]) -> dict[str, Any]:
 
 
 def decode_link(data: str) -> Scene:
-    """The scene in the data of a link, see `sim.store.link`.
+    """Read the scene in the data of a link, see `sim.store.link`.
 
     Raises:
         SceneError: one sentence that says what is wrong.
@@ -231,15 +232,15 @@ def decode_link(data: str) -> Scene:
 
 # ------------------------------------------------------------------------- files
 def read_scene(path: Path) -> Scene:
-    """The scene in a file.
+    """Read the scene in a file.
 
     Raises:
-        SceneError: the file cannot be read, or what is in it is not a valid scene.
+        SceneError: the file cannot be read, or does not contain a valid scene.
     """
     try:
         with path.open("rb") as file:
             data = file.read(MAX_FILE_BYTES + 1)
-    except (OSError, ValueError) as error:  # ValueError: no file can have that name
+    except (OSError, ValueError) as error:  # ValueError: not a possible file name
         reason = getattr(error, "strerror", None) or error
         raise SceneError(f"{str(path)!r}: the file cannot be read ({reason})") from None
     if len(data) > MAX_FILE_BYTES:
@@ -248,7 +249,8 @@ def read_scene(path: Path) -> Scene:
 
 
 def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
-    """A scene by its name (a built-in preset, or one saved in the page), its file's path, or a link to it.
+    """Load a scene by its name (a built-in preset, or one saved in the page), its file's path, or a link to
+    it.
 
     Raises:
         SceneError: there is none, or it is not valid.
@@ -262,7 +264,7 @@ def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
     for path in built_in_files():
         if path.stem == text:
             return read_scene(path)
-    with contextlib.suppress(OSError, ValueError):  # a name that no file can have
+    with contextlib.suppress(OSError, ValueError):  # not a possible file name
         candidate = user_folder() / f"{text}.json"
         if candidate.is_file():
             return read_scene(candidate)
@@ -289,7 +291,7 @@ def write_atomically(path: Path, data: bytes) -> None:
     """Write to a temporary file in the same folder, sync it, and rename it over the path.
 
     Raises:
-        OSError: nothing was changed.
+        OSError: the file could not be written; nothing was changed.
     """
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".tmp")
     try:
@@ -297,7 +299,7 @@ def write_atomically(path: Path, data: bytes) -> None:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        # mkstemp makes files that only their owner can read; a scene is as readable as any new file.
+        # mkstemp makes files that only their owner can read; a scene should be as readable as any new file.
         with _umask_lock:
             mask = os.umask(0)
             os.umask(mask)
@@ -308,8 +310,7 @@ def write_atomically(path: Path, data: bytes) -> None:
             Path(temporary).unlink()
         raise
     if hasattr(os, "O_DIRECTORY"):
-        # Makes the rename itself survive a power cut. Where this is impossible, the file is written all the
-        # same.
+        # Makes the rename itself survive a power cut. Where this is impossible, the file is written anyway.
         with contextlib.suppress(OSError):
             folder = os.open(path.parent, os.O_RDONLY | os.O_DIRECTORY)
             try:
@@ -319,7 +320,7 @@ def write_atomically(path: Path, data: bytes) -> None:
 
 
 def write_file(path: Path, data: bytes) -> None:
-    """As `write_atomically`.
+    """Write a file like `write_atomically`.
 
     Raises:
         InputError: the file cannot be written; nothing was changed.
@@ -331,10 +332,10 @@ def write_file(path: Path, data: bytes) -> None:
 
 
 def take_out(newest: Iterable[Path], most: int, most_bytes: int) -> None:
-    """Delete for good what is more than so many files, or than so many bytes; the first of them always stays.
+    """Permanently delete files beyond a number of files or bytes; the first of them always stays.
 
     Raises:
-        OSError: one cannot be deleted.
+        OSError: a file cannot be deleted.
     """
     size = 0
     for count, path in enumerate(newest, start=1):
@@ -344,7 +345,7 @@ def take_out(newest: Iterable[Path], most: int, most_bytes: int) -> None:
 
 
 def list_scenes() -> list[SceneInfo]:
-    """All scenes that `load_scene` finds by name: built-in presets first, then the user's own.
+    """List all scenes that `load_scene` finds by name: built-in presets first, then the user's own.
 
     A file that is not a valid scene is left out; `softrod check` says what is wrong with it.
     """
@@ -357,13 +358,13 @@ def list_scenes() -> list[SceneInfo]:
 
 
 def list_saved(folder: Path) -> list[SceneInfo]:
-    """The scenes that are saved in a folder, which need not exist; see `list_scenes`."""
+    """List the scenes saved in a folder, which may not exist; see `list_scenes`."""
     paths = sorted(folder.glob("*.json")) if folder.is_dir() else []
     return [info for path in paths if not is_built_in(path.stem) for info in _info(path, False)]
 
 
 def _info(path: Path, built_in: bool, group: str = "") -> list[SceneInfo]:
-    """What there is to tell of a scene's file; nothing if it is not valid."""
+    """Return the entry of a scene's file in a list; empty if it is not valid."""
     try:
         scene = read_scene(path)
     except SceneError:
@@ -374,10 +375,10 @@ def _info(path: Path, built_in: bool, group: str = "") -> list[SceneInfo]:
 
 # ------------------------------------------------------------------------- the user's own scenes
 def safe_name(name: str) -> str:
-    """The name, reduced to what a file name may contain on any system: letters, digits, spaces, some signs.
+    """Reduce a name to what a file name may contain on any system: letters, digits, spaces, some signs.
 
     Raises:
-        SceneError: nothing usable is left of it, or a built-in preset has that name.
+        SceneError: nothing usable is left, or a built-in preset has that name.
     """
     text = re.sub(r"(?i)\.json$", "", unicodedata.normalize("NFKC", name).strip())
     text = re.sub(r"[^\w\-. '’&(),!+]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
@@ -391,16 +392,16 @@ def safe_name(name: str) -> str:
 
 
 def is_built_in(name: str) -> bool:
-    """Whether a preset has that name; upper and lower case do not matter."""
+    """Return whether a preset has that name, ignoring case."""
     return any(path.stem.casefold() == name.casefold() for path in built_in_files())
 
 
 def user_path(name: str, folder: Path | None = None) -> Path:
-    """The path of the saved scene of that name, whether it exists or not.
+    """Return the path of the saved scene of that name, whether it exists or not.
 
     Args:
         name: of the scene.
-        folder: where it is saved; the user's own folder if not given.
+        folder: where it is saved; by default the user's own folder.
 
     Raises:
         SceneError: as `safe_name`.
@@ -409,9 +410,9 @@ def user_path(name: str, folder: Path | None = None) -> Path:
 
 
 def save_user_scene(scene: Scene, name: str, folder: Path | None = None) -> str:
-    """Save a scene, and return the name used, see `safe_name`; `folder` as for `user_path`.
+    """Save a scene and return the name used, see `safe_name`; `folder` as for `user_path`.
 
-    The title is left out: it is that of the scene from which this one was made.
+    The title is left out: it is that of the scene from which this one was derived.
 
     Raises:
         SceneError: the name is not usable, the scene not valid, or the file cannot be written.

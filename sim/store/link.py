@@ -1,7 +1,7 @@
-"""A scene as the end of a link: after the `#`, the number of the way of packing, a dot, and the packed scene.
+"""A scene as the end of a link: after the `#`, the number of the packing format, a dot, and the packed scene.
 
-It is packed as compact JSON, by zlib, in the letters of base64 that a link may have. zlib's checksum tells
-when a letter of the link was lost or changed.
+It is packed as compact JSON, compressed with zlib, in URL-safe base64. zlib's checksum detects lost or
+changed characters.
 """
 
 from __future__ import annotations
@@ -20,24 +20,24 @@ from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
 from ..scene.validate import validate
 
 PACKING = 1
-"""The number of the way in which this release packs; later ones are refused."""
+"""Number of the packing format of this release; later ones are refused."""
 
 MAX_LINK = 2_000_000
-"""Characters that a link's data may have; browsers take some two million."""
+"""Maximum length of a link's data, characters; browsers accept about two million."""
 
 PATH = "/s"
-"""Where a page takes such links."""
+"""Path at which a page accepts such links."""
 
 _LINK = re.compile(r"<?(https?://[^\s#%]+(?:%(?!23)[^\s#%]*)*)(?:(?:#|%23)(.*))?", re.DOTALL)
 _DATA = re.compile(r"(\d{1,6})\.([A-Za-z0-9_-]+)")
 _BY_MAIL = re.compile(r"=\r?\n|[\s\u200b\ufeff]+|[.,;:!?)\]>\"']+$")
-"""What mail programs and sentences add to a link: breaks of lines, with = where text is quoted-printable, and
+"""Matches what mail programs and sentences add to a link: line breaks, with = in quoted-printable text, and
 brackets and full stops after it."""
 _BROKEN = "the link is broken: a part of it is missing or was changed"
 
 
 def link_data(text: str) -> str | None:
-    """What stands after the `#` of a link; None if a text is no link.
+    """Return the part of a link after the `#`; None if a text is not a link.
 
     Raises:
         SceneError: the link has no `#`: a shell may have taken it for a comment.
@@ -51,7 +51,7 @@ def link_data(text: str) -> str | None:
 
 
 def pack_scene(scene: Scene) -> str:
-    """The data of a link to a scene.
+    """Return the data of a link to a scene.
 
     Raises:
         SceneError: the scene is not valid, or too large for a link.
@@ -72,11 +72,11 @@ def pack_scene(scene: Scene) -> str:
 
 
 def unpack(data: str, most: int) -> bytes:
-    """The scene in a link's data, JSON; nothing in it is trusted.
+    """Return the scene in a link's data, as JSON; the data is not trusted.
 
     Args:
-        data: what stands after the `#`.
-        most: bytes that the scene may have.
+        data: the part after the `#`.
+        most: maximum size of the scene, bytes.
 
     Raises:
         SceneError: one sentence that says what is wrong.
@@ -98,7 +98,7 @@ def unpack(data: str, most: int) -> bytes:
     try:
         packed = base64.b64decode(letters + "=" * (-len(letters) % 4), b"-_", validate=True)
         unpacking = zlib.decompressobj()
-        # A few bytes may stand for gigabytes.
+        # A few bytes may expand to gigabytes.
         found = unpacking.decompress(packed, most + 1)
     except (binascii.Error, zlib.error):
         raise SceneError(_BROKEN) from None
@@ -110,7 +110,7 @@ def unpack(data: str, most: int) -> bytes:
 
 
 def _without_defaults(value: Any) -> Any:
-    """As dicts, lists, numbers and strings, without what is as it is by default."""
+    """Convert to dicts, lists, numbers and strings, leaving out default values."""
     if isinstance(value, msgspec.Struct):
         config = value.__struct_config__
         tag = {} if config.tag_field is None else {config.tag_field: config.tag}

@@ -1,7 +1,7 @@
-"""What can be done with saved scenes besides saving: none is overwritten, and none lost at once.
+"""Operations on saved scenes other than saving: none overwrites a scene or deletes it at once.
 
-A scene that is deleted goes to a folder of its own, where the last ones stay. Where no folder is given, the
-scenes are those in the user's own.
+A deleted scene is moved to a separate folder, which keeps the latest ones. By default, the scenes are those
+in the user's own folder.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ from ..errors import SceneError
 from .files import read_scene, save_user_scene, take_out, user_folder, user_path
 
 MAX_IN_TRASH, MAX_TRASH_BYTES = 50, 50_000_000
-"""How many deleted scenes are kept at most, and how many bytes of them; the newest always is."""
+"""Maximum number of deleted scenes that are kept, and of their bytes; the newest is always kept."""
 
 _TRASHED = re.compile(r"\d{20}-(.+)\.json")
 
-# Pages of one server may do this at the same moment.
+# Pages of one server may do this at the same time.
 _one_at_a_time = threading.RLock()
 
 
 def trash_folder(folder: Path | None = None) -> Path:
-    """Where the deleted scenes of a folder are; it need not exist yet."""
+    """Return the folder of a folder's deleted scenes; it may not exist yet."""
     return (folder or user_folder()) / "trash"
 
 
 def rename_user_scene(name: str, wanted: str, folder: Path | None = None) -> str:
-    """Give a scene another name, and return the one used, see `sim.store.files.safe_name`.
+    """Rename a scene and return the name used, see `sim.store.files.safe_name`.
 
     Raises:
         SceneError: it does not exist, the name is not usable or taken, or a file cannot be written.
@@ -47,12 +47,12 @@ def rename_user_scene(name: str, wanted: str, folder: Path | None = None) -> str
 
 
 def duplicate_user_scene(name: str, folder: Path | None = None, source: Path | None = None) -> str:
-    """Save a scene once more, and return the name of the copy.
+    """Duplicate a scene and return the name of the copy.
 
     Args:
         name: of the scene.
         folder: where the copy is saved.
-        source: the folder from which it is copied; the same if not given.
+        source: the folder from which it is copied; the same by default.
 
     Raises:
         SceneError: it does not exist, or the copy cannot be written.
@@ -63,7 +63,7 @@ def duplicate_user_scene(name: str, folder: Path | None = None, source: Path | N
 
 
 def trash_user_scene(name: str, folder: Path | None = None) -> str:
-    """Delete a scene, and return by what `restore_user_scene` finds it.
+    """Delete a scene and return the key by which `restore_user_scene` finds it.
 
     Raises:
         SceneError: it does not exist, or cannot be deleted.
@@ -74,7 +74,7 @@ def trash_user_scene(name: str, folder: Path | None = None) -> str:
         try:
             trash.mkdir(parents=True, exist_ok=True)
             path.rename(trashed)
-            # Their names begin with the time.
+            # Their names begin with the time of deletion.
             take_out(sorted(trash.glob("*.json"), reverse=True), MAX_IN_TRASH, MAX_TRASH_BYTES)
         except OSError as error:
             raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None
@@ -82,7 +82,7 @@ def trash_user_scene(name: str, folder: Path | None = None) -> str:
 
 
 def restore_user_scene(trashed: str, folder: Path | None = None) -> str:
-    """Bring a deleted scene back, and return its name: another one if its own has been taken meanwhile.
+    """Restore a deleted scene and return its name: another one if its own has been taken meanwhile.
 
     Raises:
         SceneError: it is no longer there, or cannot be moved.
@@ -105,7 +105,7 @@ def restore_user_scene(trashed: str, folder: Path | None = None) -> str:
 
 
 def _free_name(name: str, folder: Path | None) -> str:
-    """The name itself, or the first of "name 2", "name 3", ... that no scene has."""
+    """Return the name itself, or the first of "name 2", "name 3", ... that is not taken."""
     base = re.sub(r" \d{1,4}$", "", name)
     others = (f"{base[:54].rstrip(' .-_')} {number}" for number in itertools.count(2))
     return next(each for each in itertools.chain((name,), others) if not user_path(each, folder).exists())

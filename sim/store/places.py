@@ -1,4 +1,4 @@
-"""Where in a JSON file something stands, for error messages; and the encodings that a text file may have."""
+"""Positions in JSON files, for error messages, and the possible encodings of text files."""
 
 from __future__ import annotations
 
@@ -21,16 +21,17 @@ _STRING_OR_NUMBER = re.compile(rb"%b|(-?\d[\d.eE+-]*)" % _STRING, re.DOTALL)
 
 _MARKS = (
     (codecs.BOM_UTF8, "UTF-8"),
-    (codecs.BOM_UTF32_LE, "UTF-32-LE"),  # begins with the mark of the next one
+    (codecs.BOM_UTF32_LE, "UTF-32-LE"),  # starts with the next mark
     (codecs.BOM_UTF16_LE, "UTF-16-LE"),
     (codecs.BOM_UTF32_BE, "UTF-32-BE"),
     (codecs.BOM_UTF16_BE, "UTF-16-BE"),
 )
-"""Byte order marks, which some programs begin a text file with, and the encodings that they stand for."""
+"""Byte order marks with which some programs begin a text file, and the encodings that they indicate."""
 
 
 def as_utf8(data: bytes) -> bytes:
-    """A text file's bytes in UTF-8 without a byte order mark; UTF-16 and UTF-32 are known by theirs.
+    """Return a text file's bytes in UTF-8 without a byte order mark, by which UTF-16 and UTF-32 are
+    recognised.
 
     Raises:
         UnicodeError: the file is in another encoding; the message says what to do.
@@ -48,10 +49,10 @@ def as_utf8(data: bytes) -> bytes:
 
 
 def repeated_key(data: bytes) -> tuple[str, str] | None:
-    """A key that an object has twice, and in words the place of the second; None if there is none.
+    """Return a repeated key in an object and, in words, the place of the second one; None if there is none.
 
     Args:
-        data: a file that is JSON.
+        data: a JSON file.
     """
     objects: list[set[str]] = []
     for found in _KEY_OR_BRACE.finditer(data):
@@ -68,7 +69,7 @@ def repeated_key(data: bytes) -> tuple[str, str] | None:
 
 
 def infinite_number(data: bytes) -> tuple[str, str] | None:
-    """The first number that no double can hold, such as 1e999, and in words its place; None if there is none.
+    """Return the first number too large for a double, such as 1e999, and its place in words; None if none.
 
     Args:
         data: a file, which need not be JSON.
@@ -87,17 +88,17 @@ def _is_infinite(number: bytes) -> bool:
 
 
 def line_and_column(data: bytes, at: int) -> str:
-    """In words, the place of a byte."""
+    """Describe the place of a byte in words."""
     before = data[:at].decode("utf-8", "replace")
     return f"line {before.count(chr(10)) + 1}, column {len(before) - before.rfind(chr(10))}"
 
 
 def place_of(data: bytes, path: str) -> str:
-    """In words, the place of the value at a path such as `masses[2].position[0]`, or of the last value on the
-    way there that the file has; empty if the file has not even the first.
+    """Describe the place of the value at a path such as `masses[2].position[0]`, or of the last value along
+    the path that the file has; empty if the file does not even have the first.
 
     Args:
-        data: a file that is JSON.
+        data: a JSON file.
         path: names and indices.
     """
     text = data.decode("utf-8", "replace")
@@ -109,7 +110,7 @@ def place_of(data: bytes, path: str) -> str:
                 break
             found = at
     except (ValueError, IndexError, RecursionError):
-        return ""  # Python reads JSON less freely than msgspec
+        return ""  # Python's JSON parser is stricter than msgspec
     if found == begin:
         return ""
     return f"line {text.count(chr(10), 0, found) + 1}, column {found - text.rfind(chr(10), 0, found)}"
@@ -121,13 +122,13 @@ def _skip(text: str, at: int) -> int:
 
 
 def _after(text: str, at: int) -> int:
-    """Where the value at a place, and what parts it from the next, end."""
+    """Return where the value at a place and the separator after it end."""
     end = _skip(text, _DECODER.raw_decode(text, at)[1])
     return _skip(text, end + 1) if text[end] == "," else end
 
 
 def _member(text: str, at: int, name: str) -> int:
-    """Where an object's member has its value, the last of that name; -1 if it has none."""
+    """Return where the value of an object's last member of a name starts; -1 if there is none."""
     found = -1
     at = _skip(text, at + 1) if text[at] == "{" else len(text)
     while at < len(text) and text[at] == '"':
@@ -140,7 +141,7 @@ def _member(text: str, at: int, name: str) -> int:
 
 
 def _item(text: str, at: int, index: int) -> int:
-    """Where an array has an item; -1 if it has none."""
+    """Return where an item of an array starts; -1 if there is none."""
     at = _skip(text, at + 1) if text[at] == "[" else len(text)
     for _ in range(index):
         if at >= len(text) or text[at] == "]":
@@ -150,12 +151,12 @@ def _item(text: str, at: int, index: int) -> int:
 
 
 def sentence_of_json(error: Exception, data: bytes, kind: Any) -> str:
-    """The sentence for JSON that is no `kind`; for any other error, the error's own."""
+    """Return the sentence for JSON that is not a `kind`; for any other error, the error's own."""
     if isinstance(error, msgspec.ValidationError):
         if number := infinite_number(data):
             return f"{number[0][:40]} is too large for a number ({number[1]})"
         try:
             return sentence(error, msgspec.json.decode(data), kind)
-        except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as later:  # further on it is no JSON
+        except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as later:  # not JSON further on
             error = later
     return "the text is not in UTF-8" if isinstance(error, UnicodeDecodeError) else in_words(str(error))

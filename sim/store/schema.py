@@ -12,11 +12,11 @@ from ..scene.types import FORMAT_VERSION, Scene
 from .files import write_atomically
 
 SCHEMA_PATH = Path(__file__).parents[2] / "schema" / f"scene-{FORMAT_VERSION}.schema.json"
-"""The file that the schema is written to."""
+"""The file to which the schema is written."""
 
 
 def schema() -> dict[str, Any]:
-    """The schema (draft 2020-12) that every scene file of this format satisfies.
+    """Return the schema (draft 2020-12) that every scene file of this format satisfies.
 
     It covers types and ranges. References between parts (does spring 17 exist?) are checked by softrod only.
     """
@@ -31,7 +31,7 @@ def schema() -> dict[str, Any]:
 
 
 def schema_bytes() -> bytes:
-    """The contents of the schema file."""
+    """Return the contents of the schema file."""
     return msgspec.json.format(msgspec.json.encode(schema()), indent=2) + b"\n"
 
 

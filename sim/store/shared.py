@@ -1,6 +1,6 @@
-"""Scenes that are kept under a short code, for addresses that can be typed and shown as a QR code.
+"""Scenes stored under a short code, for addresses that can be typed and shown as a QR code.
 
-The code comes from what is kept, so the same scene has the same code whenever it is shared.
+The code is derived from the contents, so the same scene has the same code whenever it is shared.
 """
 
 from __future__ import annotations
@@ -17,33 +17,33 @@ from ..scene.types import Scene
 from .files import encode_scene, read_scene, take_out, user_folder, write_atomically
 
 LETTERS = "23456789BCDFGHJKMNPQRSTVWXZ"
-"""Letters of codes: none can be mistaken for another, and without vowels they make no words."""
+"""Letters of codes: easily distinguished, and without vowels, so that they form no words."""
 
 SHORTEST = 4
-"""Letters of a code, unless two scenes would share it."""
+"""Number of letters of a code, unless two scenes would share it."""
 
 MAX_KEPT = 1000
-"""Scenes that are kept; beyond that the one goes that was neither shared nor opened for the longest time."""
+"""Maximum number of scenes; the one not shared or opened for the longest time is deleted first."""
 
 MAX_BYTES = 500_000
-"""Bytes of a scene's file; a larger one is sent as a file."""
+"""Maximum size of a scene's file, bytes; larger ones are sent as files."""
 
 MAX_KEPT_BYTES = 50_000_000
-"""Bytes of all that is kept."""
+"""Maximum size of all stored scenes, bytes."""
 
 _CODE = re.compile(rf"[{LETTERS}]{{{SHORTEST},12}}")
 
-# Pages of one server may share at the same moment.
+# Pages of one server may share at the same time.
 _one_at_a_time = threading.Lock()
 
 
 def shared_folder() -> Path:
-    """Where they are kept; it need not exist yet."""
+    """Return the folder of shared scenes; it may not exist yet."""
     return user_folder().parent / "shared"
 
 
 def share_scene(scene: Scene) -> str:
-    """Keep a scene, and return its code.
+    """Store a scene and return its code.
 
     Raises:
         SceneError: it is not valid or too large, or the file cannot be written.
@@ -75,7 +75,7 @@ def share_scene(scene: Scene) -> str:
 
 
 def shared_scene(code: str) -> Scene:
-    """The scene that is kept under a code; capitals and small letters are the same.
+    """Return the scene stored under a code, ignoring case.
 
     Raises:
         SceneError: there is none, or its file is not a valid scene.
@@ -98,7 +98,7 @@ def _path(code: str) -> Path:
 
 
 def letters_of(digest: bytes) -> str:
-    """The longest code of what has that digest; a shorter one is its beginning."""
+    """Return the longest code for a digest; shorter ones are its beginnings."""
     number, letters = int.from_bytes(digest), ""
     for _ in range(12):
         number, digit = divmod(number, len(LETTERS))

@@ -1,1 +1,1 @@
-"""Functions of numbers and of small vectors that kernels call."""
+"""Functions of numbers and small vectors that kernels call."""

@@ -1,4 +1,4 @@
-"""Many angles at a time."""
+"""Vectorised angles."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import math
 from ..jit import FUSED, kernel
 
 _EIGHTH = math.tan(math.pi / 8.0)
-"""The tangent up to which the series below is short."""
+"""The largest tangent for which the series below is short."""
 
 
 @kernel(forceinline=True, fastmath=FUSED)
 def angle_of(x, y):
-    """The angle of a vector, atan2(y, x), to 5e-16; 0 for no vector.
+    """Return the angle of a vector, atan2(y, x), to 5e-16; 0 for a zero vector.
 
-    There are no branches and no calls, so that a loop of them is vectorised. The vector is mirrored into the
-    first eighth of a turn, and from its middle on turned back by an eighth. So the tangent of what is left is
-    at most tan(pi/8), where twenty terms of Taylor's series leave 1e-17.
+    There are no branches and no calls, so loops of it are vectorised. The vector is mirrored into the first
+    eighth of a turn and, from the middle of that, rotated back by an eighth. The tangent of the remaining
+    angle is at most tan(pi/8), where twenty terms of the Taylor series leave 1e-17.
     """
     width, height = abs(x), abs(y)
     flat = height <= width  # not NaN either

@@ -7,7 +7,7 @@ from ..jit import FAST, kernel
 
 @kernel(forceinline=True, fastmath=FAST)
 def times(a, b):
-    """The product of two blocks."""
+    """Return the product of two blocks."""
     return (
         a[0] * b[0] + a[1] * b[2],
         a[0] * b[1] + a[1] * b[3],
@@ -18,39 +18,39 @@ def times(a, b):
 
 @kernel(forceinline=True, fastmath=FAST)
 def minus(a, b):
-    """The difference of two blocks."""
+    """Return the difference of two blocks."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def plus(a, b):
-    """The sum of two blocks."""
+    """Return the sum of two blocks."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def inverted(a):
-    """The inverse of a block; infinities where it has none."""
+    """Return the inverse of a block; infinities if it is singular."""
     factor = 1.0 / (a[0] * a[3] - a[1] * a[2])
     return a[3] * factor, -a[1] * factor, -a[2] * factor, a[0] * factor
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def outer(factor, a, b):
-    """factor a bᵀ, of two vectors."""
+    """Return factor a bᵀ, for two vectors."""
     x, y = factor * a[0], factor * a[1]
     return x * b[0], x * b[1], y * b[0], y * b[1]
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def from_left(vector, block):
-    """vectorᵀ block."""
+    """Return vectorᵀ block."""
     return vector[0] * block[0] + vector[1] * block[2], vector[0] * block[1] + vector[1] * block[3]
 
 
 @kernel(forceinline=True, fastmath=FAST)
 def scaled(factor, block):
-    """A block times a number."""
+    """Return a block times a number."""
     return factor * block[0], factor * block[1], factor * block[2], factor * block[3]
 
 

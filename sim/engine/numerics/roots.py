@@ -15,12 +15,13 @@ MIN_SQUARE = 1e-37
 
 @kernel(inline="always")
 def inverse_root(square):
-    """1 / sqrt(square), to a relative 3e-16 from 1e-37 to 1e38; for smaller arguments a finite number below
-    6e18.
+    """Return 1 / sqrt(square), to a relative 3e-16 from 1e-37 to 1e38; for smaller arguments a finite number
+    below 6e18.
 
     A processor has one unit for roots and divisions, which is slow in double precision and twice as fast in
-    single. One step of Householder's method of third order improves the 23 accurate bits of single precision
-    to all but the last of the 53. Its latency is longer, so it pays only where many are computed in parallel.
+    single precision. One step of Householder's third-order method improves the 23 accurate bits of single
+    precision to all but the last of the 53. Its latency is longer, so it pays off only where many roots are
+    computed in parallel.
 
     The fast-math flags are those of the kernel that it is inlined into. Under `FAST` the processor may
     approximate the single-precision part.
@@ -30,7 +31,7 @@ def inverse_root(square):
 
 @kernel(inline="always")
 def inverse_root_from_min(square):
-    """`inverse_root` of a number that is not below `MIN_SQUARE`."""
+    """Return `inverse_root` of a number of at least `MIN_SQUARE`."""
     seed = np.float64(_ONE / np.sqrt(np.float32(square)))
     off = 1.0 - square * seed * seed
     return seed + seed * off * (0.5 + 0.375 * off)

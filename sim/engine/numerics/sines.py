@@ -1,4 +1,4 @@
-"""Many sines at a time."""
+"""Vectorised sines."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from ..jit import kernel
 
 @kernel(inline="always")
 def sine(angle):
-    """sin(angle), to 4e-16 and the spacing of floating-point numbers at the angle.
+    """Return sin(angle), to 4e-16 and the spacing of floating-point numbers at the angle.
 
-    There are no branches and no calls, so that a loop of sines is vectorised, which takes a tenth of the time
-    that the library's sines take one by one. The angle, of at most 1e15 radians, is brought to a quarter turn
-    on both sides of 0, where eleven terms of Taylor's series leave 2e-18.
+    There are no branches and no calls, so loops of it are vectorised, which takes a tenth of the time of the
+    library's sines, computed one by one. The angle, of at most 1e15 radians, is reduced to within a quarter
+    turn of 0, where eleven terms of the Taylor series leave 2e-18.
 
     The fast-math flags are those of the kernel that it is inlined into.
     """

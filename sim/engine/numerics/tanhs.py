@@ -1,4 +1,4 @@
-"""Many hyperbolic tangents at a time."""
+"""Vectorised hyperbolic tangents."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ _LN2_HIGH, _LN2_LOW = float.fromhex("0x1.62e42feep-1"), float.fromhex("0x1.a39ef
 """The logarithm of 2 in two parts. The first ends with many zeros, so that its multiples are exact."""
 
 _SHIFT = 1.5 * 2.0**52
-"""A float as large as this has no digits behind the point, and the last bits of its pattern count."""
+"""A float of this size has no fractional digits, so the last bits of its pattern are an integer."""
 
 _ONE = 20.0
-"""A number from which on the hyperbolic tangent is 1 in double precision."""
+"""Argument from which the hyperbolic tangent is 1 in double precision."""
 
 
 @kernel(forceinline=True, fastmath=FUSED)
 def tanh(x):
-    """tanh(x), to a relative error of 1e-15.
+    """Return tanh(x), to a relative error of 1e-15.
 
-    There are no branches and no calls, so that a loop of them is vectorised. With y = 2 |x| = n ln 2 + r,
-    where |r| is at most ln 2 / 2, it is e / (e + 2) with e = exp(y) - 1 = 2ⁿ (exp(r) - 1) + 2ⁿ - 1. Fourteen
-    terms of Taylor's series leave 1e-17 of exp(r) - 1.
+    There are no branches and no calls, so loops of it are vectorised. With y = 2 |x| = n ln 2 + r, where |r|
+    is at most ln 2 / 2, the result is e / (e + 2) with e = exp(y) - 1 = 2ⁿ (exp(r) - 1) + 2ⁿ - 1. Fourteen
+    terms of the Taylor series leave 1e-17 of exp(r) - 1.
     """
     size = abs(x)
     y = 2.0 * (_ONE if size > _ONE else size)

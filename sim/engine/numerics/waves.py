@@ -1,4 +1,4 @@
-"""The waves of muscles, see `forces.muscles`; a row is one of `forces.muscles.Row`."""
+"""The waves of muscles, see `forces.muscles`; a row is a `forces.muscles.Row`."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ AMPLITUDE, RATE, PHASE, PULSE = 0, 1, 2, 3
 """Columns of a row: the amplitude; the rate of the phase, 1/s; the phase at time zero; 1 for a pulse, 0 for a
 sine."""
 SHARPNESS = 4.0
-"""Of a pulse exp(SHARPNESS (sin p - 1)): it is above one half for a fifth of the time."""
+"""Exponent of a pulse exp(SHARPNESS (sin p - 1)), which is above one half for a fifth of the time."""
 
 
 @kernel(forceinline=True)
 def wave(row, t):
-    """The amplitude times the wave, at time t."""
+    """Return the amplitude times the wave, at time t."""
     size = math.sin(row[RATE] * t + row[PHASE])
     return row[AMPLITUDE] * (math.exp(SHARPNESS * (size - 1.0)) if row[PULSE] > 0.0 else size)
 
 
 @kernel(forceinline=True)
 def wave_rate(row, t):
-    """Its rate, 1/s."""
+    """Return the rate of the wave, 1/s."""
     p = row[RATE] * t + row[PHASE]
     rate = row[AMPLITUDE] * row[RATE] * math.cos(p)
     if row[PULSE] > 0.0:

@@ -1,4 +1,4 @@
-"""What recipes have in common: a body while it is made, and the numbers that most bodies have."""
+"""The common basis of recipes: a body under construction, and parameters shared by most bodies."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Parts(NamedTuple):
 
 
 class TooLarge(ValueError):
-    """A recipe makes more masses or springs than a scene may have; the message says how many it may."""
+    """A recipe makes more masses or springs than a scene may have; the message gives the maximum."""
 
 
 def _snake(name: str) -> str:
@@ -50,28 +50,28 @@ def _snake(name: str) -> str:
 class Recipe(
     msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="recipe", tag=_snake
 ):
-    """A body of a certain shape; in a file, the field `recipe` has its name, such as "air_balloon".
+    """A body of a certain shape; in a file, the field `recipe` contains its name, such as "air_balloon".
 
-    A recipe is expanded when a scene is made, and makes the same body each time.
+    A recipe is expanded when a scene is made, always into the same body.
     """
 
     def expand(self) -> Parts:
-        """The body, its indices counted from 0.
+        """Return the body, with indices counted from 0.
 
         Raises:
             TooLarge: it would have too many masses or springs.
-            ArithmeticError: its numbers make no body, as a direction of (0, 0).
+            ArithmeticError: its numbers do not define a body, such as a direction of (0, 0).
         """
         raise NotImplementedError
 
 
 class Sprung(Recipe, frozen=True, kw_only=True):
-    """Numbers of every body of masses and linear springs.
+    """Parameters of every body of masses and linear springs.
 
     Attributes:
         stiffness, damping: of every linear spring, 0..1e15 kg/s² and 0..1e6 kg/s.
         mass, radius: of every mass, 1e-6..1e6 kg and 1e-3..1e4 px.
-        driven: index of a mass that is held and that the pointer drives, or None.
+        driven: index of a held mass that the pointer drives, or None.
     """
 
     stiffness: Stiffness = 10_000.0
@@ -82,7 +82,7 @@ class Sprung(Recipe, frozen=True, kw_only=True):
 
 
 class Jointed(Sprung, frozen=True, kw_only=True):
-    """Numbers of every body that has angular springs, too.
+    """Parameters of every body that also has angular springs.
 
     Attributes:
         angular_stiffness, angular_damping: of every angular spring, 0..1e15 kg/s² and 0..1e6 kg/s.
@@ -95,7 +95,7 @@ class Jointed(Sprung, frozen=True, kw_only=True):
 
 
 class Assembly:
-    """A body while it is made: every part that is added gets the next index."""
+    """A body under construction: every part that is added gets the next index."""
 
     def __init__(self) -> None:
         self._masses: list[Mass] = []
@@ -105,7 +105,7 @@ class Assembly:
         self._fillings: list[Gas | Liquid] = []
 
     def mass(self, position: Vector, mass: float, radius: float) -> int:
-        """Add a mass; its index.
+        """Add a mass and return its index.
 
         Raises:
             TooLarge: there are `MAX_MASSES` already.
@@ -118,7 +118,7 @@ class Assembly:
     def spring(
         self, a: int, b: int, stiffness: float, damping: float, rest_length: float | None = None
     ) -> int:
-        """Add a linear spring; its index. It rests as long as it is, unless a rest length is given."""
+        """Add a linear spring and return its index. Without a rest length, it is at rest at its length."""
         if rest_length is None:
             rest_length = self.distance(a, b)
         return self.add_spring(
@@ -126,7 +126,7 @@ class Assembly:
         )
 
     def add_spring(self, spring: LinearSpring) -> int:
-        """Add a linear spring as it is; its index.
+        """Add an existing linear spring and return its index.
 
         Raises:
             TooLarge: there are `MAX_SPRINGS` already.
@@ -149,7 +149,7 @@ class Assembly:
         )
 
     def add_joint(self, joint: AngularSpring) -> None:
-        """Add an angular spring as it is.
+        """Add an existing angular spring.
 
         Raises:
             TooLarge: there are `MAX_SPRINGS` already.
@@ -163,7 +163,7 @@ class Assembly:
         self._fillings.append(filling)
 
     def hold(self, held: tuple[int, ...], driven: int | None, circle: Circle | None = None) -> None:
-        """Hold some masses and the driven one, as far as there are such: a recipe may get fewer masses.
+        """Hold some masses and the driven one, ignoring missing ones: a recipe may be given fewer masses.
 
         `circle` is the motion of mass 0.
         """
@@ -173,15 +173,15 @@ class Assembly:
         ]
 
     def distance(self, a: int, b: int) -> float:
-        """Distance of two masses, px."""
+        """Return the distance between two masses, px."""
         return math.dist(self._masses[a].position, self._masses[b].position)
 
     def area(self, loop: tuple[int, ...]) -> float:
-        """Area inside a loop of masses, px²."""
+        """Return the area inside a loop of masses, px²."""
         return loop_area([self._masses[i].position for i in loop])
 
     def parts(self) -> Parts:
-        """The body."""
+        """Return the body."""
         return Parts(
             tuple(self._masses),
             tuple(self._linear),
@@ -192,5 +192,5 @@ class Assembly:
 
 
 def wrapped(angle: float) -> float:
-    """An angle between -360 and 360 °, wrapped into (-180, 180]."""
+    """Return an angle between -360 and 360 °, wrapped into (-180, 180]."""
     return angle - 360.0 if angle > 180.0 else angle + 360.0 if angle <= -180.0 else angle

@@ -1,4 +1,4 @@
-"""Bodies that move by muscles: worm, swimmer, walker, heart and hand. They keep to the scene's beat."""
+"""Bodies moved by muscles: worm, swimmer, walker, heart and hand. They follow the scene's beat."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ Waves = Annotated[float, bounded(-20.0, 20.0, "", "Waves along the body", slider
 
 
 class Undulating(Jointed, frozen=True, kw_only=True):
-    """What swimmers and worms have in common: a row of masses along which a wave of bending runs.
+    """The common basis of swimmers and worms: a row of masses along which a bending wave travels.
 
-    Spring s joins masses s and s + 1, and angular spring j springs j and j + 1. Mass 0 is the tail.
+    Spring s connects masses s and s + 1, and angular spring j springs j and j + 1. Mass 0 is the tail.
 
     Attributes:
         masses: 3..5000.
         length: 1e-3..1e6 px.
         start: x of mass 0 and y of the lowest one on a screen whose y points down, px.
         swing: 0..180 °; the largest angle by which the direction of the body swings to either side.
-        waves: -20..20, along the body; they run from the tail to the head, or the other way if negative.
+        waves: -20..20, number along the body; they travel from tail to head, or backwards if negative.
     """
 
     masses: Links = 24
@@ -39,7 +39,8 @@ class Undulating(Jointed, frozen=True, kw_only=True):
     def expand(self) -> Parts:
         """See `Recipe.expand`."""
         body, spacing, n = Assembly(), self.length / (self.masses - 1), self.masses
-        # If spring s swings by sin(p - s step), a joint bends by the difference of two, which is a wave, too.
+        # If spring s swings by sin(p - s step), a joint bends by the difference of two such waves, also a
+        # wave.
         step = 360.0 * self.waves / (n - 1)
         amplitude = min(2.0 * self.swing * abs(math.sin(math.radians(0.5 * step))), 180.0)
         phases = [(-step * j - (90.0 if step < 0.0 else -90.0)) % 360.0 for j in range(n - 2)]
@@ -70,9 +71,9 @@ class Undulating(Jointed, frozen=True, kw_only=True):
 
 
 class Swimmer(Undulating, frozen=True, kw_only=True):
-    """A swimmer like a sperm or an eel, in a medium that resists it more across than along itself.
+    """A swimmer like a sperm or an eel, in a medium with more resistance across than along it.
 
-    A wave that runs from head to tail pushes it forwards.
+    A wave travelling from head to tail propels it forwards.
     """
 
     waves: Waves = -1.2
@@ -84,7 +85,7 @@ class Swimmer(Undulating, frozen=True, kw_only=True):
 
 
 class Worm(Undulating, frozen=True, kw_only=True):
-    """A worm that creeps over a floor like a caterpillar: arches run along it, and it goes with them."""
+    """A worm that creeps over a floor like a caterpillar: arches travel along it, and it moves with them."""
 
     masses: Links = 30
     start: Vector = (60.0, 500.0)
@@ -99,17 +100,17 @@ class Worm(Undulating, frozen=True, kw_only=True):
 
 
 class Walker(Sprung, frozen=True, kw_only=True):
-    """A walker: a stiff body on pairs of legs. The two muscles of a leg lead its foot round.
+    """A walker: a stiff body on pairs of legs. The two muscles of a leg move its foot along a loop.
 
     Masses count along the lower side of the body from its left end, then along the upper one; then come the
-    feet. The legs of a pair move in turn, and so do those of neighbouring pairs.
+    feet. The legs of a pair move alternately, as do those of neighbouring pairs.
 
     Attributes:
         pairs: 2..1000, of legs.
         length, height: 1e-3..1e6 px, of the body.
         legs: 1e-3..1e6 px, their length.
         start: of the left end of its lower side, px; the feet are below it on a screen whose y points down.
-        stride: 0..0.9; by which part of their length a leg's muscles grow and shrink.
+        stride: 0..0.9; the fraction of their length by which a leg's muscles lengthen and shorten.
     """
 
     pairs: Annotated[int, bounded(2, 1000, "", "Pairs of legs", slider=(2, 6))] = 3
@@ -161,17 +162,17 @@ class Walker(Sprung, frozen=True, kw_only=True):
 
 
 class Heart(Jointed, frozen=True, kw_only=True):
-    """A heart: a skin in its shape, filled with a gas. The skin contracts everywhere at each beat.
+    """A heart: a heart-shaped skin, filled with a gas. The skin contracts everywhere at each beat.
 
     Masses count clockwise on a screen whose y points down, from the notch.
 
     Attributes:
-        masses: 8..5000, around.
+        masses: 8..5000, around the skin.
         width: 1e-3..1e6 px.
         center: px.
-        squeeze: 0..0.9; by which part of its length each spring is shortened.
-        spread: 0..1; the part of a beat by which the tip is behind the notch.
-        pressure, outside: 0..1e9 kg/s², of the gas in it at rest, and around it.
+        squeeze: 0..0.9; the fraction of its length by which each spring is shortened.
+        spread: 0..1; the delay of the tip relative to the notch, as a fraction of a beat.
+        pressure, outside: 0..1e9 kg/s², of the gas inside at rest, and of that outside.
     """
 
     masses: Annotated[int, bounded(8, 5000, "", "Masses around", slider=(12, 80))] = 40
@@ -220,7 +221,7 @@ class Heart(Jointed, frozen=True, kw_only=True):
 
 
 def _heart(part: float) -> Vector:
-    """The outline of a heart with the half width 1, at a part of the way round from the notch."""
+    """Return a point on the outline of a heart of half width 1, at a fraction of the way round."""
     t = math.tau * part
     x = math.sin(t) ** 3
     y = -(13.0 * math.cos(t) - 4.0 * math.cos(2.0 * t) - 2.0 * math.cos(3.0 * t) - math.cos(4.0 * t)) / 16.0
@@ -228,7 +229,7 @@ def _heart(part: float) -> Vector:
 
 
 class Hand(Jointed, frozen=True, kw_only=True):
-    """A hand that closes its two fingers on a ball, lifts it, and lets it go.
+    """A hand that closes its two fingers on a ball, lifts it, and releases it.
 
     Masses count along the palm from its left end, along the left finger, along the right one, and then
     around the ball. The palm is held.

@@ -14,7 +14,7 @@ Around = Annotated[int, bounded(3, 5000, "", "Masses around", slider=(6, 60))]
 
 
 class Box(Jointed, frozen=True, kw_only=True):
-    """A box without diagonals: angular springs hold its corners at right angles and its sides straight.
+    """A box without diagonals: angular springs keep its corners at right angles and its sides straight.
 
     Masses count clockwise on a screen whose y points down, from the upper left corner.
 
@@ -22,8 +22,8 @@ class Box(Jointed, frozen=True, kw_only=True):
         width, height: 1e-3..1e6 px.
         per_side: 1..5000 springs on each side; there are four times as many masses.
         center: px.
-        turn: -180..180 °, by which it is turned about its center, from +x towards +y.
-        held: indices of masses that are held.
+        turn: -180..180 °, its rotation about its center, from +x towards +y.
+        held: indices of the held masses.
     """
 
     width: Annotated[float, bounded(1e-3, 1e6, "px", "Width", slider=(40.0, 400.0))] = 120.0
@@ -44,7 +44,7 @@ class Box(Jointed, frozen=True, kw_only=True):
 
 
 class Polygon(Jointed, frozen=True, kw_only=True):
-    """A regular polygon: angular springs hold its corners at their angle and its sides straight.
+    """A regular polygon: angular springs keep its corners at their angle and its sides straight.
 
     Masses count clockwise on a screen whose y points down, from the corner at the top.
 
@@ -53,8 +53,8 @@ class Polygon(Jointed, frozen=True, kw_only=True):
         per_side: 1..5000 springs on each side.
         circumradius: 1e-3..1e6 px, from the center to a corner.
         center: px.
-        turn: -180..180 °, by which it is turned about its center, from +x towards +y.
-        held: indices of masses that are held.
+        turn: -180..180 °, its rotation about its center, from +x towards +y.
+        held: indices of the held masses.
     """
 
     sides: Annotated[int, bounded(3, 5000, "", "Sides", slider=(3, 24))] = 3
@@ -73,7 +73,7 @@ class Polygon(Jointed, frozen=True, kw_only=True):
 
 
 class Balloon(Jointed, frozen=True, kw_only=True):
-    """What balloons have in common: a round skin of springs, which angular springs keep round.
+    """The common basis of balloons: a round skin of springs, which angular springs keep round.
 
     Attributes:
         masses: 3..5000, around the skin, clockwise on a screen whose y points down, from the top.
@@ -98,16 +98,16 @@ class Balloon(Jointed, frozen=True, kw_only=True):
         return body.parts()
 
     def filling(self, loop: tuple[int, ...], area: float) -> Gas | Liquid:
-        """What is inside a loop of masses with some area, px²."""
+        """Return the contents of a loop of masses with a given area, px²."""
         raise NotImplementedError
 
 
 class AirBalloon(Balloon, frozen=True, kw_only=True):
-    """A skin with a gas in it; with the same pressure outside, it is at rest at its diameter.
+    """A skin filled with a gas; with the same pressure outside, it is at rest at its diameter.
 
     Attributes:
         pressure: 0..1e9 kg/s², of the gas at that diameter.
-        outside: 0..1e9 kg/s², the pressure of the air around.
+        outside: 0..1e9 kg/s², the pressure of the air outside.
     """
 
     pressure: Annotated[
@@ -121,11 +121,11 @@ class AirBalloon(Balloon, frozen=True, kw_only=True):
 
 
 class WaterBalloon(Balloon, frozen=True, kw_only=True):
-    """A skin with a liquid in it, which keeps its area.
+    """A skin filled with a liquid, which preserves its area.
 
     Attributes:
         bulk_modulus: 0..1e9 kg/s².
-        fill: 0.1..10, the area of the liquid, in areas of the skin as it is.
+        fill: 0.1..10, the area of the liquid relative to the initial area of the skin.
     """
 
     stiffness: Stiffness = 1500.0
@@ -141,7 +141,7 @@ class WaterBalloon(Balloon, frozen=True, kw_only=True):
 
 
 def _corners(sides: int, circumradius: float) -> list[Vector]:
-    """The corners of a regular polygon about the origin, clockwise on a screen, from the top."""
+    """Return the corners of a regular polygon about the origin, clockwise on a screen, from the top."""
     angles = [2.0 * math.pi * i / sides for i in range(sides)]
     return [(circumradius * math.sin(angle), -circumradius * math.cos(angle)) for angle in angles]
 
@@ -149,13 +149,13 @@ def _corners(sides: int, circumradius: float) -> list[Vector]:
 def _outline(
     body: Assembly, recipe: Jointed, corners: list[Vector], per_side: int, center: Vector, turn: float
 ) -> tuple[int, ...]:
-    """Add a closed loop of masses with springs and joints; the indices of the masses.
+    """Add a closed loop of masses with springs and joints and return the indices of the masses.
 
     Args:
         corners: about the origin, of a polygon with equal angles.
         per_side: springs on each side.
-        center: where the origin comes.
-        turn: degrees by which it is turned.
+        center: the new position of the origin.
+        turn: rotation, degrees.
     """
     cosine, sine = math.cos(math.radians(turn)), math.sin(math.radians(turn))
     for (x0, y0), (x1, y1) in zip(corners, corners[1:] + corners[:1], strict=True):
@@ -169,6 +169,6 @@ def _outline(
         body.spring(i, (i + 1) % count, recipe.stiffness, recipe.damping)
     corner = 360.0 / len(corners)
     for i in range(count):
-        # Between spring i and the next is mass i + 1.
+        # Mass i + 1 is between spring i and the next.
         body.joint(i, (i + 1) % count, 0.0 if (i + 1) % per_side else corner, recipe)
     return tuple(range(count))

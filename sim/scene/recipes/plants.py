@@ -1,4 +1,4 @@
-"""What grows from a root: hair, and trees."""
+"""Bodies that grow from a root: hair and trees."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .assembly import Assembly, Jointed, Parts
 
 
 class HairTuft(Jointed, frozen=True, kw_only=True):
-    """Hairs on a root of two held masses. An angular spring holds each at its angle to the root.
+    """Hairs on a root of two held masses. An angular spring keeps each at its angle to the root.
 
     The root points up a screen whose y points down. Masses count from its foot, then along each hair.
 
@@ -21,7 +21,7 @@ class HairTuft(Jointed, frozen=True, kw_only=True):
         spread: 0..360 °, between the first and the last hair.
         root: 1e-3..1e6 px, length of the root.
         start: of its foot, px.
-        taper: 0..1; by how much less stiff a hair's last angular spring is than its first.
+        taper: 0..1; the fraction by which a hair's last angular spring is less stiff than its first.
     """
 
     hairs: Annotated[int, bounded(1, 5000, "", "Hairs", slider=(1, 25))] = 7
@@ -68,14 +68,14 @@ class Tree(Jointed, frozen=True, kw_only=True):
     branch, fork by fork.
 
     Attributes:
-        forks: 0..12, how often each way up forks.
+        forks: 0..12, number of forks along each way up.
         branches: 1..10 at each fork.
         segments: 1..1000 springs along the trunk and along each branch.
         length: 1e-3..1e6 px, of the trunk.
-        shrink: 0.1..1, length of a branch over that of the one it grows from.
+        shrink: 0.1..1, length of a branch relative to that of its parent.
         spread: 0..340 °, between the first and the last branch of a fork.
         thinning: 0.01..1; the mass of each point, the linear stiffness and the damping of a branch are those
-            of the one it grows from times this, and its angular stiffness times the square of this.
+            of its parent times this, and its angular stiffness times the square of this.
         start: of its foot, px.
     """
 

@@ -1,4 +1,4 @@
-"""All recipes, and a scene's body made from some of them."""
+"""All recipes, and the expansion of a scene's recipes into a body."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ AnyRecipe = (
 
 
 def expand(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) -> Parts:
-    """The parts of all bodies, one after the other, and the links after their springs.
+    """Return the parts of all bodies, one after the other, and the links after their springs.
 
     Raises:
         TooLarge: the bodies have too many masses or springs.
-        ArithmeticError: a body's numbers make none, as a direction of (0, 0).
+        ArithmeticError: a body's numbers do not define one, such as a direction of (0, 0).
     """
     global _last
-    last = _last  # once, since another thread may expand others meanwhile
+    last = _last  # read only once, since another thread may expand others meanwhile
     if last is None or last[0] is not bodies or last[1] is not links:
         last = _last = bodies, links, _expanded(bodies, links)
     return last[2]
 
 
 _last: tuple[tuple[AnyRecipe, ...], tuple[LinearSpring, ...], Parts] | None = None
-"""What was expanded last, since a scene is first made and then validated."""
+"""The last expansion, since a scene is first made and then validated."""
 
 
 def _expanded(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) -> Parts:
@@ -50,7 +50,7 @@ def _expanded(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) ->
         angular += [replace(joint, a=joint.a + s, b=joint.b + s) for joint in parts.angular_springs]
         anchors += [replace(anchor, mass=anchor.mass + m) for anchor in parts.anchors]
         fillings += [replace(f, masses=tuple(i + m for i in f.masses)) for f in parts.fillings]
-        # Before a short file with many bodies takes all memory.
+        # Stop before a short file with many bodies uses up all memory.
         if len(masses) > MAX_MASSES:
             raise TooLarge(f"more than {MAX_MASSES} masses")
         if max(len(linear), len(angular)) > MAX_SPRINGS:

@@ -13,8 +13,8 @@ from .assembly import Assembly, Jointed, Parts, Recipe
 class Rope(Recipe, frozen=True, kw_only=True):
     """A straight rope, with any rest angle, as in the tutorial.
 
-    Mass i starts at `start` + (i + offset) * length / (masses - 1) * direction / |direction|. Linear
-    spring s joins masses s and s + 1; angular spring j joins linear springs j and j + 1.
+    Mass i starts at `start` + (i + offset) * length / (masses - 1) * direction / |direction|. Linear spring s
+    connects masses s and s + 1; angular spring j connects linear springs j and j + 1.
 
     Attributes:
         masses: 2..20000.
@@ -27,7 +27,7 @@ class Rope(Recipe, frozen=True, kw_only=True):
         rest_angle: of every angular spring, -180..180 °.
         joints: whether there are angular springs; with a stiffness of 0 they only measure angles.
         mass, radius: of every mass, kg and px.
-        held: indices of masses that are held.
+        held: indices of the held masses.
         driven: index of the held mass that the pointer drives, or None.
         circle: motion of mass 0, if it is held, or None.
     """
@@ -72,17 +72,17 @@ class Rope(Recipe, frozen=True, kw_only=True):
 
 
 class Rod(Jointed, frozen=True, kw_only=True):
-    """A straight rod. Two held masses at an end clamp it, one lets it swing.
+    """A straight rod. Two held masses at an end clamp it; one lets it swing.
 
-    Spring s joins masses s and s + 1, and angular spring j springs j and j + 1. As a beam it has the bending
-    stiffness EI = angular_stiffness (length / (masses - 1))³.
+    Spring s connects masses s and s + 1, and angular spring j springs j and j + 1. As a beam it has the
+    bending stiffness EI = angular_stiffness (length / (masses - 1))³.
 
     Attributes:
         masses: 3..20000.
         length: 1e-3..1e6 px.
         start: of mass 0, px.
         direction: any vector but zero.
-        held: indices of masses that are held.
+        held: indices of the held masses.
     """
 
     masses: Annotated[int, bounded(3, MAX_MASSES, "", "Number of masses", slider=(3, 60))] = 10

@@ -26,10 +26,10 @@ class Cloth(Jointed, frozen=True, kw_only=True):
         columns, rows: 2..10000 masses each way.
         width, height: 1e-3..1e6 px.
         start: of mass 0, px.
-        diagonals: whether two springs cross each cell. Without them, angular springs hold its corners at
+        diagonals: whether two springs cross each cell. Without them, angular springs keep its corners at
             right angles, with the stiffness of the others.
         shear_stiffness: of the diagonals, 0..1e15 kg/s².
-        held: the masses that are held: the first row, its two ends, the first mass, or none.
+        held: the held masses: the first row, its two ends, the first mass, or none.
     """
 
     columns: Columns = 10
@@ -70,9 +70,10 @@ class Cloth(Jointed, frozen=True, kw_only=True):
 
 
 class Jelly(Sprung, frozen=True, kw_only=True):
-    """A block of jelly: a grid of springs with two across each cell, each filled with what keeps its area.
+    """A block of jelly: a grid of springs, two of them across each cell, with a filling that preserves the
+    area.
 
-    A cell that is pulled inside out is pushed back by what is in it, as springs alone would not.
+    The filling pushes back a cell that is turned inside out, as springs alone would not.
 
     Masses count along the rows, from the upper left corner. Springs along the rows come first, then those
     along the columns, then the diagonals.
@@ -125,8 +126,7 @@ class FlagPole(Jointed, frozen=True, kw_only=True):
         height: 1e-3..1e6 px, of the pole.
         start: of its foot, px.
         columns: 1..10000 masses in each row of the flag, without that of the pole.
-        rows: 2..10000, of the flag, as far apart as the masses of the pole; what would be below
-            its foot is left out.
+        rows: 2..10000, of the flag, as far apart as the masses of the pole; rows below its foot are omitted.
         length: 1e-3..1e6 px, of the flag.
         flag_stiffness, flag_damping, flag_angular_stiffness: of the flag's springs.
         shear_stiffness: of two springs across each cell of the flag, 0..1e15 kg/s².
@@ -196,7 +196,7 @@ def _masses(body: Assembly, recipe: Sprung, columns: int, rows: int, start: Vect
 def _springs(
     body: Assembly, recipe: Sprung, columns: int, rows: int
 ) -> tuple[list[list[int]], list[list[int]]]:
-    """Add the springs of a grid; those along each row, and those below each row but the last."""
+    """Add the springs of a grid; return those along each row, and those below each row but the last."""
     along = [
         [
             body.spring(i, i + 1, recipe.stiffness, recipe.damping)

@@ -21,8 +21,8 @@ YieldForce = Annotated[
 class Girder(Sprung, frozen=True, kw_only=True):
     """A steel girder: a truss, supported by the two ends of its lower chord, with a load at mid-span.
 
-    Its joints turn freely, so it stands by its triangles alone. All members have the same cross-section: the
-    longer one is, the softer. Masses count along the lower chord from its left end, then along the upper one.
+    Its joints turn freely, so only its triangles make it stable. All members have the same cross-section:
+    longer ones are softer. Masses count along the lower chord from its left end, then along the upper one.
 
     Attributes:
         truss: "warren", of equal triangles, or "pratt", with posts and with diagonals that fall towards
@@ -30,8 +30,7 @@ class Girder(Sprung, frozen=True, kw_only=True):
         panels: 2..5000, of the lower chord.
         span, depth: 1e-3..1e6 px.
         start: of the left support, px; the girder is above it on a screen whose y points down.
-        stiffness, damping: of the shortest member, 0..1e15 kg/s² and 0..1e6 kg/s. Those of the others are
-            lower, as they are longer.
+        stiffness, damping: of the shortest member, 0..1e15 kg/s² and 0..1e6 kg/s; lower for longer members.
         load: 0..1e6 kg, added to the mass at mid-span of the lower chord, or left of it if the number of
             panels is odd.
         strength, yield_force, hardening: of every member, see `LinearSpring`. Members whose strength is below
@@ -98,16 +97,16 @@ class Girder(Sprung, frozen=True, kw_only=True):
 
 
 class Bridge(Jointed, frozen=True, kw_only=True):
-    """A suspension bridge: a deck that angular springs keep straight hangs from two cables by hangers.
+    """A suspension bridge: a deck, kept straight by angular springs, hangs from two cables by hangers.
 
-    Held are the ends of the deck and the tops of the two towers above them. Masses count along the deck from
-    its left end, then along the cable. As it starts, no spring carries anything.
+    The ends of the deck and the tops of the two towers above them are held. Masses count along the deck from
+    its left end, then along the cable. Initially, all springs are unloaded.
 
     Attributes:
         panels: 2..5000, of the deck.
         span: 1e-3..1e6 px.
         towers: 1e-3..1e6 px, their height above the deck.
-        sag: 0..0.99 of the height of the towers, by which the cable is lower at mid-span.
+        sag: 0..0.99, how much lower the cable is at mid-span, as a fraction of the height of the towers.
         start: of the left end of the deck, px.
         load: 0..1e6 kg, added to the mass at mid-span of the deck, or left of it if the number of panels is
             odd.

@@ -1,10 +1,10 @@
-"""The energy that dampers dissipate in a step: the integral of strength times rate squared.
+"""The energy dissipated by dampers in a step: the integral of strength times rate squared.
 
-The rate is that of a spring's length or of a joint's angle. Quadrature of its square is as accurate as the
-method, with one exception. Where a damper brings its masses to rest within a fraction of a step, the
-velocities have errors that the tolerance allows, but their squares are multiplied by a large strength, and
-the damper would seem to dissipate many times the energy that there is. The mean rate, which follows from
-positions, is accurate even then.
+The rate is that of a spring's length or a joint's angle. Quadrature of its square is as accurate as the
+method, with one exception. Where a damper stops its masses within a fraction of a step, the velocities have
+errors that the tolerance allows, but their squares are multiplied by a large strength, and the damper would
+seem to dissipate many times the available energy. The mean rate, which follows from positions, is accurate
+even then.
 """
 
 from __future__ import annotations
@@ -13,20 +13,20 @@ from ...engine.jit import FAST, kernel
 from ...engine.numerics.vectors import from_to, length_of
 
 MEAN = 0
-"""Row of a damper's mean rate over a step, px/s or 1/s; springs first, then joints, as in the rows below."""
+"""Row of a damper's mean rate over a step, px/s or 1/s; in all rows, springs precede joints."""
 STRENGTH = 1
-"""Row of its mean strength, kg/s or kg px²/s."""
+"""Row of a damper's mean strength, kg/s or kg px²/s."""
 POWER = 2
-"""Row of its mean power, kg px²/s³."""
+"""Row of a damper's mean power, kg px²/s³."""
 DAMPER_ROWS = 3
 """Number of these rows."""
 
 _SWINGING = 2.0
-"""Mean power, as a multiple of the power at the mean rate, above which the rate counts as swinging."""
+"""Mean power, relative to the power at the mean rate, above which the rate counts as oscillating."""
 
 _QUICKLY = 4.0
-"""Step length in time constants of a damper from which a swinging rate must be an error, since its masses
-could not swing so fast."""
+"""Step length, in time constants of a damper, from which an oscillating rate must be an error, since its
+masses could not oscillate so fast."""
 
 
 @kernel(fastmath=FAST)
@@ -49,10 +49,10 @@ def gather_dampers(body, q, v, part, dampers):
 
 @kernel(fastmath=FAST)
 def dissipated_energy(body, inverse_mass, q, v, h, dampers):
-    """Energy that all dampers dissipate in a step of length h that starts at q and v, kg px²/s².
+    """Return the energy that all dampers dissipate in a step of length h from q and v, kg px²/s².
 
-    If a damper is quick and its rate seems to swing, the rate is assumed to decay from its value at the start
-    to its mean, and to stay there.
+    If a damper is quick and its rate seems to oscillate, the rate is assumed to decay from its initial value
+    to its mean and to stay there.
     """
     power, springs = 0.0, body.springs
     if body.damped:
@@ -76,12 +76,12 @@ def dissipated_energy(body, inverse_mass, q, v, h, dampers):
 
 @kernel(inline="always")
 def _calmed(mean, strength, most, first, quickness):
-    """The mean power of a damper whose rate seems to swing.
+    """Return the mean power of a damper whose rate seems to oscillate.
 
     Args:
         mean, strength, most: its mean rate, strength and power.
         first: its rate at the start of the step.
-        quickness: length of the step divided by its time constant.
+        quickness: step length divided by its time constant.
     """
     if quickness < _QUICKLY:
         return most
@@ -91,7 +91,7 @@ def _calmed(mean, strength, most, first, quickness):
 
 @kernel(inline="always")
 def _lengthening(body, q, v, s):
-    """The rate of a spring's length, px/s."""
+    """Return the rate of change of a spring's length, px/s."""
     x, y = from_to(q, body.spring_a[s], body.spring_b[s])
     u, w = from_to(v, body.spring_a[s], body.spring_b[s])
     return (x * u + y * w) / length_of(x, y, body.softening)
@@ -99,7 +99,7 @@ def _lengthening(body, q, v, s):
 
 @kernel(inline="always")
 def _bending(body, q, v, j):
-    """The rate of a joint's angle, 1/s, and its damper's strength, kg px²/s."""
+    """Return the rate of change of a joint's angle, 1/s, and its damper's strength, kg px²/s."""
     turned_a, len_a = _turning(body, q, v, body.joint_a[j])
     turned_b, len_b = _turning(body, q, v, body.joint_b[j])
     return turned_b - turned_a, body.torque_damping[j + 1] * len_a * len_b
@@ -107,7 +107,7 @@ def _bending(body, q, v, j):
 
 @kernel(inline="always")
 def _turning(body, q, v, s):
-    """The rate at which a spring turns, 1/s, and its length, px."""
+    """Return the rate at which a spring turns, 1/s, and its length, px."""
     x, y = from_to(q, body.spring_a[s], body.spring_b[s])
     u, w = from_to(v, body.spring_a[s], body.spring_b[s])
     length = length_of(x, y, body.softening)
@@ -116,7 +116,8 @@ def _turning(body, q, v, s):
 
 @kernel(inline="always")
 def _effective_inverse_inertia(body, inverse_mass, q, j):
-    """Inverse moment of inertia of a joint's angle, 1/(kg px²), ignoring that its springs share a mass."""
+    """Return the inverse moment of inertia of a joint's angle, 1/(kg px²), ignoring that its springs share a
+    mass."""
     light = 0.0
     for s in (body.joint_a[j], body.joint_b[j]):
         a, b = body.spring_a[s], body.spring_b[s]

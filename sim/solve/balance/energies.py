@@ -10,10 +10,10 @@ from ...forces.all import GRAVITY, KINETIC, write_energies
 def energies(body, state, mass, q, v, out):
     """Write the energies, kg px²/s², into `out`, and return their sum.
 
-    They are those of motion and gravity, and of `forces.all.WITH_ENERGY`.
-    The energy of gravity, with that of the constant forces on masses, is counted from (0, 0). Held masses
-    have neither kinetic energy nor that of gravity and walls. Under the tutorial's law, the angular energy is
-    that of the conservative law.
+    Included are the kinetic and gravitational energies and those of `forces.all.WITH_ENERGY`. The energy of
+    gravity and of the constant forces on masses is relative to (0, 0). Held masses have no kinetic energy,
+    nor that of gravity or walls. Under the tutorial's law, the angular energy is that of the conservative
+    law.
     """
     slots = q.size // 2
     out[KINETIC], out[GRAVITY] = 0.0, 0.0

@@ -1,4 +1,4 @@
-"""The energy balance of a step: the work of everything that changes a body's energy."""
+"""The energy balance of a step: the work of everything that changes the energy of a body."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ _ACCELERATION = 3
 _NODES = (0.5 - math.sqrt(0.15), 0.5, 0.5 + math.sqrt(0.15))
 """Gauss-Legendre nodes on (0, 1), of order six."""
 _WEIGHTS = (5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0)
-"""Their weights."""
+"""Weights of the nodes."""
 _MAX_PARTS = 1000.0
-"""Largest number of parts of a step, each with these nodes, less one: of a radian of the quickest muscle."""
+"""Maximum number of parts of a step, less one; there is one for each radian of the fastest muscle."""
 
 
 @kernel(fastmath=FAST)
 def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
     """Interpolate positions and velocities at the fraction u of a step of length h, into q and v.
 
-    The quintic Hermite polynomial through positions, velocities and accelerations at both ends; the error of
-    positions is of the order h⁶.
+    The quintic Hermite polynomial through positions, velocities and accelerations at both ends is used; its
+    position error is of the order h⁶.
     """
     for j in range(q.size):
-        # Of the polynomial q0 + h v0 u + h² a0 u²/2 + u³ (c3 + c4 u + c5 u²).
+        # The polynomial is q0 + h v0 u + h² a0 u²/2 + u³ (c3 + c4 u + c5 u²).
         d = q1[j] - q0[j] - h * v0[j] - 0.5 * h * h * a0[j]
         e = h * (v1[j] - v0[j]) - h * h * a0[j]
         f = h * h * (a1[j] - a0[j])
@@ -49,10 +49,11 @@ def between(h, u, q0, v0, a0, q1, v1, a1, q, v):
 
 @kernel(fastmath=FAST)
 def _is_smooth(h, q0, v0, a0, q1, v1, a1):
-    """Whether the accelerations at both ends of a step are consistent with its positions and velocities.
+    """Return whether the accelerations at both ends of a step are consistent with its positions and
+    velocities.
 
     In an implicit step of a stiff body they are not: they are small differences of large forces, and the
-    quintic would swing far beyond both ends.
+    quintic would overshoot far beyond both ends.
     """
     off, way = 0.0, 0.0
     for j in range(q0.size):
@@ -65,7 +66,7 @@ def _is_smooth(h, q0, v0, a0, q1, v1, a1):
 
 @kernel(fastmath=FAST)
 def _roughly_between(h, u, q0, v0, q1, v1, q, v):
-    """Like `between`, by the cubic through positions and velocities at both ends."""
+    """Interpolate like `between`, with the cubic through positions and velocities at both ends."""
     for j in range(q0.size):
         d = q1[j] - q0[j] - h * v0[j]
         e = h * (v1[j] - v0[j])
@@ -76,7 +77,7 @@ def _roughly_between(h, u, q0, v0, q1, v1, q, v):
 
 @kernel(fastmath=FAST)
 def accumulate_work(problem, drive, t, q1, v1, a1, h):
-    """Add the work of a step of length h from the present state, at time t, to q1, v1, a1."""
+    """Add the work of a step of length h from the current state, at time t, to q1, v1, a1."""
     body, state, integrator, balance = problem.body, problem.state, problem.integrator, problem.balance
     q, v, a = balance.rows[0], balance.rows[1], balance.rows[_ACCELERATION]
     smooth = _is_smooth(h, state.q, state.v, integrator.a, q1, v1, a1)
@@ -112,8 +113,8 @@ def accumulate_work(problem, drive, t, q1, v1, a1, h):
 
 @kernel(internal=True, fastmath=FAST)
 def _parts_for_muscles(body, h):
-    """The number of parts of a step of h seconds, each with nodes of its own, so that none passes over the
-    waves of muscles: a step may be longer than several of them."""
+    """Return the number of parts of a step of h seconds, each with nodes of its own, so that none skips waves
+    of muscles: a step may be longer than several of them."""
     quickest, muscles = 0.0, body.muscles
     for rows in (muscles.stretch, muscles.turn):
         for i in range(rows.shape[0]):
@@ -129,7 +130,7 @@ def _add_powers(problem, drive, t, h, q, v):
     slots, work, still, true = q.size // 2, balance.work, balance.rows[2], balance.rows[_ACCELERATION]
     for j in range(v.size):
         true[j] = v[j]
-    for i in range(drive.mass.size):  # in `v`, the velocity of a mass that is led may be zero
+    for i in range(drive.mass.size):  # in `v`, the velocity of a guided mass may be zero
         m, lead = drive.mass[i], lead_of(drive, i)
         ux, uy = hand_speed(lead, t - drive.start)
         true[m] += (1.0 - lead.hand) * ux
@@ -137,8 +138,8 @@ def _add_powers(problem, drive, t, h, q, v):
     if body.limits.present:
         yield_at(body, state, q)
     if drive.mass.size > 0:
-        # What leads masses works against all forces but those of the dampers, friction and bouncing by their
-        # true velocities, and against these by those that the forces go by.
+        # Guided masses do work at their true velocities against all forces except those of dampers, friction
+        # and bouncing, and against these at the velocities used by the forces.
         _add_work_of_anchors(problem, drive, q, still, true, h)
         if body.damped or body.joint_damped or body.environment.contact.present:
             _add_work_of_anchors(problem, drive, q, still, v, -h)
@@ -155,7 +156,7 @@ def _add_powers(problem, drive, t, h, q, v):
 
 @kernel(fastmath=FAST)
 def _add_work_of_anchors(problem, drive, q, v, rate, h):
-    """Add h times the power of led masses, at the velocities `rate`, against the forces at velocities v."""
+    """Add h times the power of guided masses, at velocities `rate`, against the forces at velocities v."""
     body, state, scratch, slots = problem.body, problem.state, problem.scratch, q.size // 2
     forces(body, state, scratch, q, v)
     for i in range(drive.mass.size):

@@ -1,14 +1,14 @@
 """The linear systems of implicit steps: a I - g Jv - Jx, factorised and solved, and the product with Jv.
 
-Jx and Jv are the derivatives of the accelerations by positions, 1/s², and by velocities, 1/s. Velocities are
-eliminated from the systems, so there are two unknowns a mass. The blocks that are always there are in
-`sparse`, those of contact that are not in `krylov`.
+Jx and Jv are the derivatives of the accelerations with respect to positions, 1/s², and velocities, 1/s.
+Velocities are eliminated from the systems, which leaves two unknowns per mass. The permanent blocks are in
+`sparse`, those of contact that are not in its pattern in `krylov`.
 
 The pressure of a filling depends on the area of its loop, which gives a product of two vectors, see
-`forces.fillings.write_area_product`: the matrix gets c M^-1 G Gᵀ. That is full, so it is stored for small
-loops alone. With the rest of the matrix, A, the system (A + U Gᵀ) x = b, where U = c M^-1 G, is solved as
-x = y - A^-1 U (I + Gᵀ A^-1 U)^-1 Gᵀ y with A y = b (Sherman, Morrison and Woodbury), for all other fillings
-at once.
+`forces.fillings.write_area_product`: c M^-1 G Gᵀ is added to the matrix. As this is dense, it is stored for
+small loops only. With the rest of the matrix, A, the system (A + U Gᵀ) x = b, where U = c M^-1 G, is solved
+as x = y - A^-1 U (I + Gᵀ A^-1 U)^-1 Gᵀ y with A y = b (Sherman, Morrison and Woodbury), for all other
+fillings at once.
 """
 
 from __future__ import annotations
@@ -50,9 +50,9 @@ def solve_matrix(body, state, matrix, b):
 
 @kernel(fastmath=FAST)
 def _border(body, state, matrix, q):
-    """Prepare the correction for the products of gradients; whether its own small matrix is regular.
+    """Prepare the correction for the products of gradients; return whether its small matrix is regular.
 
-    `low_rank` gets the gradients G, and then A^-1 U; `corrections` the inverse of I + Gᵀ A^-1 U.
+    `low_rank` receives the gradients G, and then A^-1 U; `corrections` the inverse of I + Gᵀ A^-1 U.
     """
     low_rank, small, count = matrix.low_rank, matrix.corrections, matrix.bordered.size
     for k in range(count):
@@ -66,9 +66,9 @@ def _border(body, state, matrix, q):
 
 @kernel(fastmath=FAST)
 def _invert(a, n):
-    """Invert the first n rows and columns in place (Gauss-Jordan, no pivoting); whether it is regular.
+    """Invert the first n rows and columns in place (Gauss-Jordan, no pivoting); return whether it is regular.
 
-    Without springs the matrix is I plus a positive semidefinite one, for which pivoting is not needed.
+    Without springs the matrix is I plus a positive semidefinite matrix, which needs no pivoting.
     """
     regular = True
     for p in range(n):

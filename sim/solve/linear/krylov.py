@@ -1,11 +1,11 @@
 """Linear systems with the blocks of contact that are not in the pattern.
 
-Which masses touch which springs changes all the time, so the blocks that join them are not in the pattern.
-What contact adds to the blocks of a mass with itself and of the two ends of a spring is, and is factorised
-with the rest. With that matrix A and the other blocks R, a system (A + R) x = b is solved as x + A^-1 R x =
-A^-1 b by GMRES (Saad & Schultz 1986). Few iterations suffice, about as many as there are directions in which
-things touch, or fewer where the step is short. If they do not, the result is infinite, and the step is
-refused.
+The masses and springs that touch each other change all the time, so the blocks that couple them are not in
+the pattern. The contributions of contact to the diagonal blocks of masses and to the blocks between the ends
+of a spring are, and are factorised with the rest. With that matrix A and the other blocks R, a system (A + R)
+x = b is solved as x + A^-1 R x = A^-1 b by GMRES (Saad & Schultz 1986). A few iterations suffice, about as
+many as there are independent contact directions, or fewer where the step is short. If they do not, the result
+is infinite, and the step is rejected.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from .vectors import add_multiple, dot
 _ACCURACY = 1e-12
 """Residual, relative to the right-hand side, at which the iteration ends."""
 _CYCLES = 4
-"""Largest number of times that it begins with a new Krylov space."""
+"""Maximum number of Krylov spaces, including restarts."""
 
 
 @kernel(internal=True, fastmath=FAST)
 def solve_with_contact(body, state, matrix, b):
-    """Like `sparse.solve_sparse`, with all of contact."""
+    """Solve like `sparse.solve_sparse`, including all blocks of contact."""
     solve_sparse(body, matrix, b)
     if not body.environment.contact.present or matrix.coupling[COUPLING_PAIRS] == 0.0:
         return
@@ -38,7 +38,7 @@ def solve_with_contact(body, state, matrix, b):
     add_multiple(masses, 1.0, b, right)
     whole, cycle, size = 0.0, 0, math.inf
     while cycle < _CYCLES:
-        # The residual of what has been found so far.
+        # The residual of the current solution.
         if cycle == 0:
             for j in range(b.size):
                 space[0, j] = right[j]
@@ -97,7 +97,7 @@ def solve_with_contact(body, state, matrix, b):
 
 @kernel(fastmath=FAST)
 def _couple(body, state, matrix, z, out):
-    """out = R z."""
+    """Compute out = R z."""
     for j in range(out.size):
         out[j] = 0.0
     add_coupling(body, state, matrix, z, out)

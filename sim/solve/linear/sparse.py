@@ -1,8 +1,7 @@
-"""The matrix of an implicit step on any topology: block-sparse LU with a precomputed pattern.
+"""The matrix of an implicit step for any topology: block-sparse LU with a precomputed pattern.
 
 `sim.model.sparsity` finds an elimination order with little fill-in, and the pattern of the blocks. Rows are
-stored in that order, one after another, with ascending columns. Here they are filled and eliminated row by
-row.
+stored consecutively in that order, with ascending columns. Here they are filled and eliminated row by row.
 """
 
 from __future__ import annotations
@@ -17,9 +16,10 @@ from ...forces.plasticity import add_yielding_derivatives, yield_at
 
 @kernel(fastmath=FAST)
 def assemble(body, state, matrix, q, v, g, definite):
-    """Fill the pattern with the derivatives of all forces but that of still air, kg/s².
+    """Fill the pattern with the derivatives of all forces except still-air friction, kg/s².
 
-    They are by positions, plus g times those by velocities; see `forces.term.Term.add_derivatives`.
+    These are derivatives with respect to positions, plus g times those with respect to velocities; see
+    `forces.term.Term.add_derivatives`.
     """
     for i in range(matrix.blocks.size):
         matrix.blocks[i] = 0.0
@@ -32,7 +32,7 @@ def assemble(body, state, matrix, q, v, g, definite):
 
 @kernel(internal=True, fastmath=FAST)
 def eliminate(body, state, matrix, v, a, g):
-    """Turn the derivatives of forces that are in the pattern into the matrix, and factorise it."""
+    """Turn the assembled force derivatives into the matrix and factorise it."""
     slots = v.size // 2
     blocks, start, column, diagonal = matrix.blocks, matrix.row_start, matrix.column, matrix.diagonal
     slot = matrix.slot
@@ -73,7 +73,7 @@ def eliminate(body, state, matrix, v, a, g):
 
 @kernel(internal=True, fastmath=FAST)
 def solve_sparse(body, matrix, b):
-    """Solve with the sparse factors alone."""
+    """Solve with the sparse factors only."""
     slots = b.size // 2
     r, order = matrix.blocks, matrix.order
     start, column, diagonal = matrix.row_start, matrix.column, matrix.diagonal

@@ -1,6 +1,6 @@
-"""Sums over flat vectors that leave out the padding.
+"""Sums over flat vectors that skip the padding.
 
-A solution that overflows must not leave a NaN in a slot without a mass, where nothing would write over it.
+A solution that overflows must not leave a NaN in a slot without a mass, where nothing would overwrite it.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from ...engine.jit import FAST, kernel
 
 @kernel(forceinline=True, fastmath=FAST)
 def dot(masses, one, other):
-    """The scalar product of two flat vectors."""
+    """Return the scalar product of two flat vectors."""
     slots, total = one.size // 2, 0.0
     for i in range(1, masses + 1):
         total += one[i] * other[i]
@@ -21,7 +21,7 @@ def dot(masses, one, other):
 
 @kernel(forceinline=True, fastmath=FAST)
 def add_multiple(masses, factor, vector, out):
-    """out += factor * vector."""
+    """Compute out += factor * vector."""
     slots = out.size // 2
     for i in range(1, masses + 1):
         out[i] += factor * vector[i]
