@@ -227,7 +227,7 @@ class Problem:
             raise InputError(f"vary: start: {table.measurement.name} has no places of free masses")
         return found
 
-    # --------------------------------------------------------------------- the scene and its runs at some unknowns
+    # ------------------------------------------------------------- the scene and its runs
     def scene_at(self, u: Floats, t: int = 0) -> Scene:
         """Return the scene for some unknowns at the start of measurement t.
 
@@ -324,7 +324,7 @@ class Problem:
         return found
 
     def _places(self, u: Floats, t: int, mass: int, values: Floats) -> Floats | None:
-        """Return a mass's positions (k, 2) from a table, in the scene's unit; None unless x and y are there."""
+        """Return a mass's positions (k, 2) from a table, in the scene's unit; None without both x and y."""
         table, length = self.tables[t], self.length_scale(u)
         found = []
         for what in ("x", "y"):
