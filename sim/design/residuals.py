@@ -227,7 +227,7 @@ class Problem:
             raise InputError(f"vary: start: {table.measurement.name} has no places of free masses")
         return found
 
-    # ------------------------------------------------------------- the scene and its runs
+    # --------------------------------------------------------------------- the scene and its runs
     def scene_at(self, u: Floats, t: int = 0) -> Scene:
         """Return the scene for some unknowns at the start of measurement t.
 
