@@ -153,8 +153,8 @@ def set_number(
         of: the number.
         parts: their indices.
         value: the new value.
-        shift: degrees that keys have added to all rest angles since the scene was loaded; the value of a rest
-            angle includes them.
+        shift: degrees that keys have added to all rest angles since the scene was last set; the value of a
+            rest angle includes them.
 
     Raises:
         SettingError: the value is out of range, or the number contradicts the others of a part.
