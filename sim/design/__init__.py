@@ -1,1 +1,1 @@
-"""Backwards: from what a body is to do to its numbers."""
+"""Inverse problems: from what a body should do, or was measured to do, to its parameters."""

@@ -1,4 +1,4 @@
-"""Numbers in the cells of a table, as people and programs of many countries write them."""
+"""Numbers in the cells of a table, as people and programs in many countries write them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from collections.abc import Iterable
 GAPS = frozenset(
     ("", "-", "--", "---", "—", "nan", "na", "n/a", "n.a.", "#n/a", "#nv", "#n/d", "#nd", "null", "none")
 )
-"""What stands where nothing was measured, in small letters; "#NV" and the like are those of spreadsheets."""
+"""Cells for missing values, in lower case; "#NV" and the like come from spreadsheets."""
 
 _SIGNS = str.maketrans({**dict.fromkeys("\u2010\u2011\u2012\u2013\u2212\ufe63\uff0d", "-"), "\uff0b": "+"})
-"""Signs that word processors, web pages and spreadsheets put for those of ASCII."""
+"""Signs that word processors, web pages and spreadsheets use instead of the ASCII ones."""
 _PLAIN = re.compile(r"[-+]?(?:\d+(?:([.,])\d*)?|([.,])\d+)([eE][-+]?\d{1,6})?", re.ASCII)
 _GROUPED = re.compile(
     r"[-+]?[1-9]\d{0,2}(?P<group>[.,'\u2019 \u00a0\u202f\u2009])\d{3}(?:(?P=group)\d{3})*"
@@ -25,12 +25,12 @@ _MAX_LETTERS = 80
 
 
 def is_gap(cell: str) -> bool:
-    """Whether a cell says that nothing was measured."""
+    """Return whether a cell marks a missing value."""
     return not cell[:1].isdigit() and cell.translate(_SIGNS).strip().lower() in GAPS
 
 
 def is_number(cell: str) -> bool:
-    """Whether a cell is a number, or an infinity, whatever its decimal sign is."""
+    """Return whether a cell is a number or an infinity, with either decimal sign."""
     if _PLAIN.fullmatch(cell):
         return True
     text = cell.translate(_SIGNS)
@@ -43,8 +43,8 @@ def _is_grouped(text: str) -> bool:
 
 
 def decimal_signs(cell: str) -> str:
-    """The decimal signs that a number may have: one, both where "1.250" may be a little more than one or more
-    than a thousand, or none where it has none."""
+    """Return the decimal signs that a number may have: one; both for one like "1.250", which may be slightly
+    more than one or more than a thousand; or none if it has none."""
     text = cell.translate(_SIGNS)
     plain = _PLAIN.fullmatch(text)
     sign = (plain[1] or plain[2] or "") if plain else ""
@@ -60,7 +60,7 @@ def decimal_signs(cell: str) -> str:
 
 
 def value_of(cell: str, decimal: str) -> float:
-    """A number with a decimal sign; NaN where it is none, and infinite where it is too large.
+    """Return the value of a number with a decimal sign; NaN if it is none, infinite if it is too large.
 
     Args:
         cell: see `is_number`.
@@ -77,7 +77,7 @@ def value_of(cell: str, decimal: str) -> float:
 
 
 def printable(text: str) -> str:
-    """A short text on one line, without signs that steer a terminal or turn the direction of writing."""
+    """Return a short one-line text without characters that control a terminal or the writing direction."""
     kept = "".join(" " if char.isspace() else char for char in text if char.isspace() or _is_seen(char))
     kept = " ".join(kept.split())
     return kept if len(kept) <= _MAX_LETTERS else f"{kept[: _MAX_LETTERS - 1]}…"
@@ -90,8 +90,8 @@ def _is_seen(char: str) -> bool:
 def known_signs(
     cells: Iterable[tuple[int, str]],
 ) -> tuple[dict[str, tuple[int, str]], tuple[int, str] | None]:
-    """The decimal signs that numbers have for certain, each with the first line and cell that has it, and the
-    first one that may be read in two ways."""
+    """Return the decimal signs that numbers have for certain, each with the first line and cell that has it,
+    and the first ambiguous number."""
     certain: dict[str, tuple[int, str]] = {}
     unclear: tuple[int, str] | None = None
     for line, cell in cells:

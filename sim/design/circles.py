@@ -1,4 +1,4 @@
-"""What the places that were measured tell of lengths, beside what the scene has."""
+"""Lengths that measured positions imply, compared with the scene's."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ Floats = NDArray[np.float64]
 _FEWEST = 8
 """Smallest number of points through which a circle is fitted."""
 _FAR = 0.02
-"""Part by which a radius differs that is said."""
+"""Relative difference of a radius above which it is reported."""
 _SURE = 4.0
-"""Standard deviations by which it differs then, at least."""
+"""Smallest significance of that difference, in standard deviations."""
 
 
 def circle_through(places: Floats) -> tuple[float, float] | None:
-    """The radius of the circle that is the nearest to some places, and its standard deviation.
+    """Return the radius of the circle closest to some positions, and its standard deviation.
 
-    The sum of squared distances from the circle is least (a geometric fit; Gander, Golub & Strebel 1994),
-    starting from the algebraic fit of Taubin (1991). None where they lie on no circle.
+    The sum of squared distances from the circle is minimised (a geometric fit; Gander, Golub & Strebel 1994),
+    starting from the algebraic fit of Taubin (1991). None if they lie on no circle.
 
     Args:
         places: (k, 2).
@@ -58,7 +58,7 @@ def circle_through(places: Floats) -> tuple[float, float] | None:
 
 
 def rods_to_anchors(scene: Scene) -> Iterator[tuple[int, int]]:
-    """Masses that swing at the end of one spring whose other end is held, and that spring."""
+    """Yield masses that swing at the end of one spring whose other end is held, and that spring."""
     held = {anchor.mass for anchor in scene.anchors}
     for mass in range(len(scene.masses)):
         springs = [s for s, each in enumerate(scene.linear_springs) if mass in (each.a, each.b)]
@@ -69,7 +69,7 @@ def rods_to_anchors(scene: Scene) -> Iterator[tuple[int, int]]:
 
 
 def other_radius(places: Floats, fitted: Floats) -> tuple[float, float] | None:
-    """The radius on which a mass was measured, and that of a run, where they differ for certain.
+    """Return the radius on which a mass was measured, and that of a run, if they differ significantly.
 
     Args:
         places, fitted: (k, 2) each; rows with NaN are left out.
@@ -85,5 +85,5 @@ def other_radius(places: Floats, fitted: Floats) -> tuple[float, float] | None:
 
 
 def all_are_angles(dimensions: Sequence[str]) -> bool:
-    """Whether nothing was measured but angles, and how fast they change."""
+    """Return whether only angles and angular velocities were measured."""
     return all(each in ("°", "°/s") for each in dimensions)

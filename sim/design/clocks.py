@@ -1,4 +1,4 @@
-"""What tables call the time, and how they write it: in units of time, as a time of day, or since 1970."""
+"""Names and notations of the time in tables: in units of time, as a time of day, or since 1970."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ SECONDS = {
     **dict.fromkeys(("min", "mins", "minute", "minutes", "minuten", "мин"), 60.0),
     **dict.fromkeys(("h", "hr", "hrs", "hour", "hours", "std", "stunden", "ч", "час"), 3600.0),
 }
-"""Seconds of each unit of time, by its name in small letters."""
+"""Seconds in each unit of time, by its name in lower case."""
 
 _TIMES = (
     "t", "time", "times", "zeit", "temps", "tiempo", "tempo", "czas", "tid", "tijd", "čas", "aika", "idő",
     "время", "zaman", "时间", "時間", "seconds", "millis", "micros", "timestamp", "time stamp", "datetime",
     "date time", "date/time", "uhrzeit", "zeitstempel", "horodatage", "clock",
 )  # fmt: skip
-"""What the time is called, in the languages that exports often are in."""
+"""Names of the time, in the languages that are common in exports."""
 _SINCE_START = (
     "relative time", "time relative", "elapsed", "elapsed time", "time elapsed", "seconds elapsed",
     "time since start", "relative zeit", "verstrichene zeit", "t rel", "rel time",
 )  # fmt: skip
-"""What a time is called that begins with the measurement."""
+"""Names of a time that starts with the measurement."""
 
 _NUMBERED = re.compile(r"(.*?)[ _]?\d{0,3}'*", re.DOTALL)
 _DATE = re.compile(r"\d{1,4}([-./])\d{1,2}\1\d{1,4}", re.ASCII)
@@ -47,17 +47,17 @@ DAY = 86400.0
 
 
 def is_clock(name: str) -> bool:
-    """Whether a column is the time, by its name; "T" is a temperature or a period."""
+    """Return whether a column is the time, by its name; "T" is a temperature or a period."""
     return name.strip() != "T" and (_plain(name) in _TIMES or begins_with_start(name))
 
 
 def begins_with_start(name: str) -> bool:
-    """Whether a column is the time since the measurement began, by its name."""
+    """Return whether a column is the time since the measurement began, by its name."""
     return _plain(name) in _SINCE_START
 
 
 def number_of(name: str) -> str:
-    """The number at the end of a name, as in "t2"; empty where there is none."""
+    """Return the number at the end of a name, as in "t2"; empty where there is none."""
     found = re.search(r"\d{1,3}$", name.rstrip("'"))
     return found.group() if found else ""
 
@@ -68,8 +68,8 @@ def _plain(name: str) -> str:
 
 
 def unit_in_name(name: str) -> tuple[str, str]:
-    """The name and the unit of a time whose name has its unit, as "time_ms", "Zeit, s" and "millis"; else the
-    name, and nothing."""
+    """Return name and unit of a time whose name includes its unit, as in "time_ms", "Zeit, s" and "millis";
+    otherwise the name and an empty unit."""
     lower = name.strip().lower()
     if lower in SECONDS and len(lower) > 1:
         return name, lower
@@ -80,33 +80,33 @@ def unit_in_name(name: str) -> tuple[str, str]:
 
 
 def seconds_of(unit: str) -> float | None:
-    """Seconds of a unit of time; None where it is none."""
+    """Return the seconds in a unit of time; None if it is none."""
     return SECONDS.get(unit.strip().rstrip(".").lower())
 
 
 def is_time_of_day(cell: str) -> bool:
-    """Whether a cell is a time as clocks show it, with or without a date; see `times_of_day`."""
+    """Return whether a cell is a clock time, with or without a date; see `times_of_day`."""
     return ":" in cell and bool(
         _OF_DAY.fullmatch(cell) or _MINUTES.fullmatch(cell) or _HALF_TOLD.fullmatch(cell)
     )
 
 
 def is_date(cell: str) -> bool:
-    """Whether a cell is a day without a time."""
+    """Return whether a cell is a date without a time."""
     return _DATE.fullmatch(cell) is not None
 
 
 def times_of_day(cells: Iterable[str]) -> list[float]:
-    """Seconds of times as clocks show them; NaN for other cells.
+    """Return clock times in seconds; NaN for other cells.
 
-    They are h:mm:ss or m:ss.f, with points or commas, "PM", zones, and days of any order before them. Without
-    a date they go on over midnight.
+    They are h:mm:ss or m:ss.f, with points or commas, "PM", time zones, and preceding dates in any order.
+    Without a date they continue past midnight.
 
     Raises:
-        ValueError: one of them may be read in several ways. The sentence says how.
+        ValueError: one of them is ambiguous. The message says how.
     """
     found = [_time_of_day(cell) for cell in cells]
-    # Which number of 1/2/2026 is the day is not told: that way is right which takes less time from the first
+    # Which number in 1/2/2026 is the day is not known: choose the order with the shorter time from the first
     # row to the last.
     spans = []
     for way in (0, 1):
@@ -154,7 +154,7 @@ def _time_of_day(cell: str) -> tuple[float, float] | None:
 
 
 def _days_of(date: str) -> tuple[float, float] | None:
-    """Days since 1970 of a date: with the month before the day, and after it; None where there is none."""
+    """Return a date's days since 1970, with the month before the day and after it; None if invalid."""
     a, b, c = (int(part) for part in re.split(r"[-./]", date))
     if a > 31:
         ways = ((a, b, c), (a, b, c))
@@ -173,9 +173,9 @@ def _days_of(date: str) -> tuple[float, float] | None:
 
 
 _SINCE_1970 = ((1e8, 1e10, 1.0), (1e11, 1e13, 1e-3), (1e14, 1e16, 1e-6), (1e17, 1e19, 1e-9))
-"""Ranges of numbers that count something since 1970 (and before 2286), with the seconds of its unit."""
+"""Ranges of numbers that count the time since 1970 (until 2286), with the seconds in their unit."""
 
 
 def unit_since_1970(first: float) -> float | None:
-    """Seconds of the unit of a time without one that can only be counted since 1970; None for another one."""
+    """Return the seconds in the unit of a time that can only be counted since 1970; None for any other."""
     return next((unit for low, high, unit in _SINCE_1970 if low <= first < high), None)

@@ -1,10 +1,10 @@
 """Combinations of unknowns: products of powers, sums, sums of reciprocals, and products of such sums.
 
-Where the data leave a direction of the unknowns u open, the gradient of what they do tell stands at right
-angles to it. A gradient belongs to many functions: where k0 = k1, it is the same for k0 k1, for k0 + k1
-(springs side by side) and for 1/k0 + 1/k1 (springs in a row). `candidates` lists those that people would
-write down; which of them the data tell is found by going along each, by a factor of 2, and looking whether
-the fit stays as good.
+Where the data leave a direction of the unknowns u undetermined, the gradient of anything they do determine is
+orthogonal to it. Many functions share a gradient: where k0 = k1, it is the same for k0 k1, for k0 + k1
+(springs in parallel) and for 1/k0 + 1/k1 (springs in series). `candidates` lists those that people would
+write down. To find which of them the data determine, the unknowns are changed by a factor of 2 at a constant
+value of each, and the fit must stay as good.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from .parameters import Parameter
 Floats = NDArray[np.float64]
 
 _NEAR_HALF = 0.1
-"""How far a power is from a half of a whole number that is taken for it."""
+"""Largest distance of a power from a multiple of 1/2 to which it is rounded."""
 _NEAR_ONE = 0.03
-"""How far a factor is from 1 that is taken for it."""
+"""Largest distance of a factor from 1 to which it is rounded."""
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,9 @@ class _Term:
     """(sum of a x^p over its members)^(q): a generalised mean of some unknowns.
 
     Attributes:
-        members: index of an unknown, its factor a, and its power p, 1 or -1.
+        members: for each, the index of an unknown, its factor a, and its power p, 1 or -1.
         outer: the power of the sum, 1 or -1, so that the unit is that of the unknowns.
-        power: of the whole.
+        power: the power of the whole.
     """
 
     members: Sequence[tuple[int, float, int]]
@@ -41,11 +41,11 @@ class _Term:
     power: float
 
     def total(self, values: Sequence[float]) -> float:
-        """The sum."""
+        """Return the sum."""
         return sum(a * values[i] ** p for i, a, p in self.members)
 
     def text(self, names: Sequence[str]) -> str:
-        """As people write it, without the power."""
+        """Return the usual notation, without the power."""
         text = ""
         for i, a, p in self.members:
             size = abs(a)
@@ -79,14 +79,14 @@ class Combination:
 
     @property
     def is_product(self) -> bool:
-        """Whether it is positive, and known to a factor rather than to a difference."""
+        """Whether it is positive, so that its uncertainty is a factor rather than a difference."""
         return all(self.parameters[i].logarithmic for i in self.which) and all(
             a > 0.0 for term in self.terms for _, a, _ in term.members
         )
 
     @property
     def text(self) -> str:
-        """As people write it, as in "k / (m0 + m1)"."""
+        """The usual notation, as in "k / (m0 + m1)"."""
         names = [each.name for each in self.parameters]
         if len(self.terms) == 1 and self.terms[0].power == 1.0:
             return self.terms[0].text(names)
@@ -102,7 +102,7 @@ class Combination:
 
     @property
     def unit(self) -> str:
-        """Of a sum; a product has none that would be read at a glance."""
+        """The unit of a sum; empty for a product, whose unit would be hard to read."""
         if len(self.terms) != 1 or self.terms[0].power != 1.0:
             return ""
         term = self.terms[0]
@@ -110,17 +110,17 @@ class Combination:
         return self.parameters[first].unit if power == term.outer else ""
 
     def value(self, u: Floats) -> float:
-        """f(u)."""
+        """Return f(u)."""
         values = self._values(u)
         return math.prod(term.total(values) ** (term.outer * term.power) for term in self.terms)
 
     def interval(self, u: Floats, spread: Floats, wide: float) -> tuple[float, float, float]:
-        """f(u) with the ends of its interval.
+        """Return f(u) and the ends of its interval.
 
         Args:
-            u: the best.
-            spread: (known directions, unknowns) one standard deviation of each.
-            wide: standard deviations of an interval.
+            u: the best estimate.
+            spread: (known directions, unknowns) one standard deviation along each.
+            wide: half-width of the interval, in standard deviations.
         """
         step, slopes, value = 1e-5, np.zeros(u.size), self.value(u)
         for i in self.which:
@@ -132,7 +132,7 @@ class Combination:
         return value, value - by, value + by
 
     def kept(self, u: Floats, at: Floats, i: int) -> float | None:
-        """The i-th of u with which f(u) is f(at); None if there is none."""
+        """Return the i-th element of u for which f(u) = f(at); None if there is none."""
         values = self._values(u)
         own = next(term for term in self.terms if i in [j for j, _, _ in term.members])
         factor, power = next((a, p) for j, a, p in own.members if j == i)
@@ -150,7 +150,7 @@ class Combination:
         return found if math.isfinite(found) else None
 
     def bounds(self, low: float, high: float) -> dict[int, tuple[float, float]]:
-        """What a sum of positive unknowns says of each of them, by its interval: no part is larger than the
+        """Return the bounds on each unknown from the interval of a sum of positive ones: no part exceeds the
         whole."""
         term = self.terms[0]
         if len(self.terms) > 1 or term.power != 1.0 or len({p for _, _, p in term.members}) > 1:
@@ -162,17 +162,17 @@ class Combination:
         return {i: (low * a, math.inf) for i, a, _ in term.members}
 
     def _values(self, u: Floats) -> list[float]:
-        """Not clipped to ranges, so that it is smooth."""
+        """Return the values of the unknowns, not clipped to their ranges so that f is smooth."""
         return [each.free(value) for each, value in zip(self.parameters, u.tolist(), strict=True)]
 
 
 def candidates(weights: Floats, parameters: Sequence[Parameter], u: Floats) -> list[Combination]:
-    """The combinations that have a gradient, the plainest first.
+    """Return the combinations with a given gradient, the simplest first.
 
     Args:
-        weights: (unknowns,) the gradient by u, of any length; 0 for what does not belong to it.
+        weights: (unknowns,) the gradient with respect to u, of any length; 0 for unknowns not involved.
         parameters: the unknowns.
-        u: where.
+        u: the point at which the gradient is given.
     """
     which = np.flatnonzero(weights).tolist()
     if not all(parameters[i].logarithmic for i in which):
@@ -209,7 +209,7 @@ def candidates(weights: Floats, parameters: Sequence[Parameter], u: Floats) -> l
 def _sum_of(
     which: Sequence[int], weights: Floats, parameters: Sequence[Parameter], u: Floats, power: int
 ) -> _Term:
-    """The sum whose gradient has the same direction; positive unknowns have the power, and others 1."""
+    """Return the sum whose gradient has the same direction; positive unknowns get the power, others 1."""
     members: list[tuple[int, float, int]] = []
     for i in sorted(which, key=lambda i: (parameters[i].logarithmic, i)):
         parameter = parameters[i]
@@ -230,6 +230,6 @@ def _one(factor: float) -> float:
 
 
 def _rounded(power: float) -> float:
-    """A power, as a half of a whole number where it is nearly one."""
+    """Round a power to a multiple of 1/2 if it is close to one."""
     half = round(2.0 * power) / 2.0
     return half if half and abs(power - half) < _NEAR_HALF else power

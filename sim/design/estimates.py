@@ -1,4 +1,4 @@
-"""What a fit tells: numbers with intervals, columns with what is left of them, and sentences."""
+"""Results of a fit: numbers with intervals, columns with their residuals, and sentences."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from .units import within_half_a_turn
 Floats = NDArray[np.float64]
 
 _INVOLVED = 0.1
-"""Part in an unknown direction from which on a number is named with it."""
+"""Component along an undetermined direction above which an unknown is reported with it."""
 _ALONE = 0.98
-"""Part of a number that is unknown, whatever the others are, from which on it is named by itself."""
+"""Undetermined part of an unknown, regardless of the others, above which it is reported by itself."""
 _MUCH = 3.0
-"""How many times less a number is known than it would be, from which on it is named with what is unknown."""
+"""Factor by which an undetermined unknown must increase the uncertainty of another to be reported with it."""
 _FARTHEST = 20.0
-"""Change of u up to which an end is looked for where the data would tell."""
+"""Largest change of u in the search for the end of an interval."""
 _ALONG = 0.7
-"""Change of u by which a combination is tried: a factor of 2."""
+"""Change of u by which a combination is tested: a factor of 2."""
 
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number that was fitted.
+    """A fitted number.
 
     Attributes:
-        name, unit: what it is.
-        value: the best one.
-        low, high: the 95 % interval. For one that the data cannot tell they are all that it may be: 0 and
-            infinity where it is positive, and nothing bounds it.
-        known: whether the data tell it.
-        before: what it was in the scene.
-        also: the same with the unit of length of what was measured; empty where that is the scene's.
+        name, unit: of the number.
+        value: the best value.
+        low, high: the 95 % interval. For a number that the data cannot determine, the range of possible
+            values: 0 and infinity if it is positive and nothing limits it.
+        known: whether the data determine it.
+        before: its value in the scene.
+        also: the same in the measurements' unit of length; empty if that is the scene's.
     """
 
     name: str
@@ -52,12 +52,12 @@ class Estimate:
 
     @property
     def text(self) -> str:
-        """As people read it, as in "998 ± 3 px/s² (2.495 ± 0.007 m/s²)"."""
+        """The value for people, as in "998 ± 3 px/s² (2.495 ± 0.007 m/s²)"."""
         return f"{self.alone} ({self.also})" if self.also else self.alone
 
     @property
     def alone(self) -> str:
-        """In the scene's unit."""
+        """The value in the scene's unit alone."""
         unit = f" {self.unit}" if self.unit else ""
         if not self.known:
             if math.isinf(self.high) and (self.low == 0.0 or math.isinf(self.low)):
@@ -68,14 +68,14 @@ class Estimate:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """A column, and what the fitted scene does instead.
+    """A measured column, and the values of the fitted scene.
 
     Attributes:
-        file, column, quantity: of what; the quantity is as it was matched, as in "-mass1.y".
+        file, column, quantity: names; the quantity is as it was matched, as in "-mass1.y".
         unit: of the column.
         time: (k,) s, as in the file.
-        measured, fitted: (k,) NaN where there was nothing measured.
-        effective: number of independent residuals that the k hold.
+        measured, fitted: (k,) NaN where nothing was measured.
+        effective: number of independent residuals among the k.
     """
 
     file: str
@@ -100,7 +100,7 @@ class Series:
 
 
 class Identifiability:
-    """What the data tell of the unknowns.
+    """How well the data determine the unknowns.
 
     Args:
         parameters: the unknowns.
@@ -132,16 +132,16 @@ class Identifiability:
 
     @property
     def known(self) -> list[bool]:
-        """Whether the data tell each unknown."""
+        """Whether the data determine each unknown."""
         unknown = {*self._ends, *(i for group in self._groups for i in group.which)}
         return [i not in unknown for i in range(self._u.size)]
 
     def values(self) -> list[Estimate]:
-        """Of each unknown."""
+        """Return the estimate of each unknown."""
         bounds = dict(self._ends)
         for group in self._groups:
             bounds |= self._bounds(group)
-        # Where an unknown is open, what is known goes with it.
+        # As an undetermined unknown varies, the known ones vary with it.
         reached = np.array(self._reached)
         low, high = reached.min(axis=0), reached.max(axis=0)
         by = self._wide * np.sqrt((self._spread**2).sum(axis=0))
@@ -152,28 +152,28 @@ class Identifiability:
         return found
 
     def sentences(self) -> list[str]:
-        """What the data cannot tell, and what they tell of it."""
+        """Return what the data cannot determine, and what they do tell about it."""
         return [self._alone(i) for i in self._ends] + [self._apart(each) for each in self._groups]
 
     def _risen(self, at: Floats, held: Sequence[int]) -> float:
-        """By how much the sum of squares is larger at other u; notes where the data still allow it."""
+        """Return by how much the sum of squares is larger at other u; record u that the data still allow."""
         at, rise = self._profile(at, held)
         if rise < self._wide**2:
             self._reached.append(at)
         return rise
 
-    # --------------------------------------------------------------------- a number by itself
+    # --------------------------------------------------------------------- a single unknown
     def _is_alone(self, i: int) -> bool:
-        """Whether an unknown is not known, and hardly any other with it."""
+        """Return whether an unknown is undetermined and hardly affects any other."""
         return bool(self._open[i, i] > _ALONE) and not any(
             self._goes_with(i, j) and not p.logarithmic for j, p in enumerate(self._parameters) if j != i
         )
 
     def _goes_with(self, i: int, j: int) -> bool:
-        """Whether one is open by as much as another is.
+        """Return whether two unknowns are undetermined together.
 
-        What is positive is by factors. For others the unit is any one: they go with it if they are much less
-        known than they would be.
+        Positive ones are compared by factors. The units of others are arbitrary: these belong together if one
+        is known much less well than it would be alone.
         """
         for one, other in ((i, j), (j, i)):
             if not self._parameters[one].logarithmic:
@@ -183,7 +183,7 @@ class Identifiability:
         return bool(abs(self._open[i, j]) > _INVOLVED**2)
 
     def _between(self, i: int) -> tuple[float, float]:
-        """The values of an unknown beyond which the data would tell."""
+        """Return the values of an unknown beyond which the data rule it out."""
         p = self._parameters[i]
         low, high = (self._far(i, sign) for sign in (-1.0, 1.0))
         return (
@@ -192,7 +192,7 @@ class Identifiability:
         )
 
     def _far(self, i: int, sign: float) -> float:
-        """The u of an unknown from which on the data tell, in a direction."""
+        """Return the u of an unknown from which the data rule it out, in one direction."""
         enough, p = self._wide**2, self._parameters[i]
         start = float(self._u[i])
         end = p.high if sign > 0.0 else max(p.low, 1e-300) if p.logarithmic else p.low
@@ -217,9 +217,9 @@ class Identifiability:
             return f"The data do not tell {p.name}: whatever it is, the fit is as good."
         return f"The data hardly tell {p.name}: it is {_range(low, high, p.unit, p.logarithmic)}."
 
-    # --------------------------------------------------------------------- numbers that go together
+    # --------------------------------------------------------------------- unknowns that belong together
     def _together(self, which: list[int]) -> list[list[int]]:
-        """Sets of unknowns that are known only with each other."""
+        """Return the sets of unknowns that are known only in combination."""
         left, found = list(which), []
         while left:
             group = [left.pop(0)]
@@ -231,7 +231,7 @@ class Identifiability:
         return found
 
     def _group(self, which: list[int]) -> _Group:
-        """What is known of unknowns that go together; nothing if each of them is known by itself."""
+        """Return what is known of unknowns that belong together; nothing if each is known by itself."""
         size, vectors = np.linalg.eigh(self._open[np.ix_(which, which)])
         reduced, pivots = _reduced(
             vectors.T[size > 0.5], [c for c, i in enumerate(which) if self._is_base(i)]
@@ -250,7 +250,7 @@ class Identifiability:
         ways = [(which[pivot], sign * _ALONG) for pivot in pivots for sign in (1.0, -1.0)]
 
         def worst(kept: list[Combination]) -> float:
-            """The largest rise of the sum of squares along some combinations."""
+            """Return the largest rise of the sum of squares along some combinations."""
             return max(self._risen(at, which) for at in self._along(kept, solved, ways))
 
         kept = [each[0] for each in choices]
@@ -264,18 +264,18 @@ class Identifiability:
         return _Group(which, kept, least >= self._wide**2)
 
     def _is_base(self, i: int) -> bool:
-        """Whether others are told in terms of an unknown, as in stiffness / mass."""
+        """Return whether others are expressed in terms of an unknown, as in stiffness / mass."""
         return self._parameters[i].unit == "kg" or self._parameters[i].name == "length_scale"
 
     def _along(
         self, kept: list[Combination], solved: list[int], ways: list[tuple[int, float]]
     ) -> Iterator[Floats]:
-        """Unknowns with which some combinations are as they are.
+        """Yield unknowns at which some combinations are unchanged.
 
         Args:
             kept: the combinations.
-            solved: the unknown that each gives.
-            ways: others that are changed, and by how much.
+            solved: the unknown for which each is solved.
+            ways: the others that are changed, and by how much.
         """
         for i, by in ways:
             # A sum leaves less room on one side.
@@ -312,12 +312,12 @@ class Identifiability:
 
 @dataclass(frozen=True)
 class _Group:
-    """Unknowns that are known only with each other.
+    """Unknowns that are known only in combination.
 
     Attributes:
         which: indices.
-        known: what the data tell of them.
-        is_near: whether that is so only near the best values.
+        known: the combinations that the data determine.
+        is_near: whether they do so only near the best values.
     """
 
     which: list[int]
@@ -326,7 +326,7 @@ class _Group:
 
 
 def _range(low: float, high: float, unit: str, positive: bool) -> str:
-    """As in "at most 3 kg"."""
+    """Return a range in words, as in "at most 3 kg"."""
     if math.isinf(high):
         text = f"at least {low:.3g}"
     elif low == 0.0 if positive else math.isinf(low):
@@ -337,8 +337,8 @@ def _range(low: float, high: float, unit: str, positive: bool) -> str:
 
 
 def _reduced(rows: Floats, wanted: Collection[int]) -> tuple[Floats, list[int]]:
-    """The reduced echelon form of some rows, and its pivots: those wanted, or as far to the right as they can
-    be."""
+    """Return the reduced echelon form of some rows, and its pivots: those wanted, or as far to the right as
+    possible."""
     rows, pivots = rows.copy(), []
     for row in range(rows.shape[0]):
         size = np.abs(rows[row:]).max(axis=0)
@@ -359,7 +359,7 @@ def _reduced(rows: Floats, wanted: Collection[int]) -> tuple[Floats, list[int]]:
 def at_ends(
     parameters: Sequence[Parameter], u: Floats, low: Floats, high: Floats, known: Sequence[bool]
 ) -> list[str]:
-    """Which numbers of a scene that are known have run to an end of their range, low..high."""
+    """Return sentences on known numbers of a scene that have reached an end of their range, low..high."""
     return [
         f"{p.name} has run to {p.value(value):.3g} {p.unit}".rstrip()
         + ", the end of the range in which it is sought."
@@ -369,7 +369,7 @@ def at_ends(
 
 
 def autocorrelated(series: Sequence[Series]) -> list[str]:
-    """Of which columns more than noise is left."""
+    """Return sentences on columns whose residuals are more than noise."""
     found = []
     for each in series:
         count = int((~np.isnan(each.measured)).sum())
@@ -387,8 +387,8 @@ def _listed(names: Sequence[str]) -> str:
 
 
 def plus_minus(value: float, low: float, high: float) -> str:
-    """A number with its interval, as in "812 ± 9", to two digits of the latter; with both ends where they are
-    not alike."""
+    """Return a number with its interval, as in "812 ± 9", to two digits of the latter; with both ends where
+    these are not symmetric."""
     by = 0.5 * (high - low)
     if not (math.isfinite(by) and by > 0.0):
         return f"{value:.4g}"

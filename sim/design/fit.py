@@ -1,14 +1,14 @@
-"""The numbers of a scene with which it moves as something that was measured.
+"""Fit the numbers of a scene so that it moves as something that was measured.
 
-What was measured, d, is compared with d(u) of a run of the scene (`residuals`), where u are the unknowns:
-logarithms of what is positive, and others as parts of a typical size. Of all u the one is sought for which
-the sum of ((d - d(u)) / s)² is least, where s is the noise of each column, which is estimated from what is
-left. The derivatives J of the residuals by u are differences of runs.
+The measurements d are compared with d(u) of a run of the scene (`residuals`), where u are the unknowns:
+logarithms of positive numbers, and other numbers as fractions of a typical size. The fit minimises the sum of
+((d - d(u)) / s)² over u, where s is the noise of each column, estimated from its residuals. The derivatives J
+of the residuals with respect to u are finite differences of runs.
 
-Residuals that hang together count as fewer: with the correlation r of neighbours, n of them count as
+Correlated residuals count as fewer: with the correlation r of neighbours, n of them count as
 n (1 - r) / (1 + r) (the effective sample size of an autoregressive process of order 1). The singular value
-decomposition J = U S Vᵀ then gives for each direction v of u how well it is known: to 1 / s. Directions that
-are known to less than a factor of about e are what the data cannot tell; `estimates` says it.
+decomposition J = U S Vᵀ then gives the uncertainty of each direction v of u: 1 / s. The data cannot determine
+directions that are known only to within a factor of about e or worse; `estimates` reports them.
 """
 
 from __future__ import annotations
@@ -34,41 +34,41 @@ Floats = NDArray[np.float64]
 
 _CONFIDENCE = 0.95
 _STEP = 3e-4
-"""Step of u for a difference."""
+"""Step of u in finite differences."""
 _UNKNOWN = 0.5
-"""Uncertainty of u from which on a direction counts as unknown."""
+"""Uncertainty of u above which a direction counts as unknown."""
 _RANK = 1e-5
-"""Slope along a direction, as a part of those of the unknowns in it, below which it is the error of
+"""Slope along a direction, relative to those of the unknowns in it, below which it is the error of finite
 differences."""
 _ELSEWHERE = math.log(4.0)
-"""How far from the scene's numbers other starts are."""
+"""Largest distance of other starts from the scene's numbers, in logarithms."""
 _STARTS = 32
-"""Number of other starts that are looked at."""
+"""Number of other starts that are evaluated."""
 _TRIED = 3
 """Number of starts that are followed."""
 _WINDOWS = (0.25, 0.5, 1.0)
-"""Parts of the rows that are fitted one after another, so that no swing is mistaken for the next."""
+"""Fractions of the rows, fitted one after another so that no swing is mistaken for the next."""
 _ROUNDS = 60
-"""Largest number of steps towards the least sum of squares."""
+"""Largest number of steps in a descent."""
 _AS_GOOD = 0.01
-"""Rise of the sum of squares that is none."""
+"""Rise of the sum of squares that counts as none."""
 _GIVING_WAY = 5
-"""Largest number of steps in which unknowns give way to others that are held."""
+"""Largest number of steps in which unknowns adapt to others that are held."""
 _FAR = 0.1
-"""Least noise of a column that is assumed at first, as a part of how far off the scene is."""
+"""Smallest initial noise of a column, as a fraction of its initial residuals."""
 _NOISELESS = 1e-7
-"""Smallest noise of a column, as a part of its range."""
+"""Smallest noise of a column, as a fraction of its range."""
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """What `fit` found.
+    """Result of `fit`.
 
     Attributes:
         scene: the scene with the numbers, and the start, of the best fit.
-        values: of each number that was varied, by its name.
-        series: of each column, measured and fitted.
-        sentences: what else there is to know, in words.
+        values: the estimate of each varied number, by its name.
+        series: each column, measured and fitted.
+        sentences: further findings, in words.
     """
 
     scene: Scene
@@ -79,11 +79,11 @@ class Fit:
     _spread: Floats = field(repr=False)  # (known directions, unknowns) one standard deviation of each
 
     def draws(self, n: int, seed: int = 0) -> list[Scene]:
-        """Scenes whose numbers scatter as the data leave them open; what they cannot tell at all stays.
+        """Return scenes with numbers drawn from their uncertainty; undetermined directions are not varied.
 
         Args:
-            n: how many, 0..1000.
-            seed: of the random numbers.
+            n: number of scenes, 0..1000.
+            seed: seed of the random numbers.
 
         Raises:
             InputError: n is out of range.
@@ -103,29 +103,29 @@ def fit(
     scale: float | None = None,
     progress: Callable[[str], object] = lambda _: None,
 ) -> Fit:
-    """The numbers with which a scene moves as what was measured.
+    """Fit the numbers of a scene so that it moves as measured.
 
     Args:
         scene: a valid scene, to start from.
-        data: one or more measurements, or their files; see `parse_measurements`; several runs
-            in one file are several measurements.
-        vary: one to six names of what is sought: settings (`sim.set_value`), numbers of parts
-            ("spring0.stiffness", "mass1.mass"), what a mass starts with ("mass1.vx"), and those of
-            `residuals.OF_MEASUREMENT`. With "start", the first row is the start; without it, time 0 is, and
-            the scene says how it is then.
-        match: for names of columns, quantities as in "mass1.x", "-mass1.y" or "90 - spring0.direction"; None
-            for what the names say, see `matching.guesses`.
-        scale: how many of the scene's lengths are one metre, or one of the lengths of a file in a unit that
-            is not known in metres; needed where neither unit nor `vary` says it.
-        progress: is told in a few words what is being done.
+        data: one or more measurements, or their files, see `parse_measurements`; several runs in one file are
+            several measurements.
+        vary: one to six names of numbers to fit: settings (`sim.set_value`), numbers of parts
+            ("spring0.stiffness", "mass1.mass"), start values of masses ("mass1.vx"), and those of
+            `residuals.OF_MEASUREMENT`. With "start", the first row is the start; without it, the start is at
+            time 0 and as the scene has it.
+        match: quantities by column name, as in "mass1.x", "-mass1.y" or "90 - spring0.direction"; None to
+            guess them from the names, see `matching.guesses`.
+        scale: number of the scene's length units in one metre, or in one length unit of a file if its size in
+            metres is unknown; needed where neither the units nor `vary` give it.
+        progress: called with a few words on what is being done.
 
     Returns:
         The fit.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: a file, a column or a name is not right; there are too few numbers, or the scene cannot
-            be run. The sentence names it.
+        InputError: a file, a column or a name is invalid, there are too few values, or the scene cannot be
+            run. The message names it.
     """
     scene = validate(scene)
     every = [data] if isinstance(data, (Measurement, str, Path)) else list(data)
@@ -140,7 +140,7 @@ def fit(
 
 # ------------------------------------------------------------------------- the search
 class _Search:
-    """Finds the least sum of squares.
+    """Minimises the sum of squares.
 
     Args:
         problem: the residuals whose squares are summed.
@@ -163,7 +163,7 @@ class _Search:
         ]
 
     def found(self) -> Fit:
-        """The fit."""
+        """Return the fit."""
         problem = self._problem
         first = np.clip(problem.first(), self._low, self._high)
         for t, run in enumerate(problem.fitted(first)):
@@ -191,7 +191,7 @@ class _Search:
         return self._summed_up(u, first)
 
     def _starts(self, first: Floats) -> Iterator[Floats]:
-        """The scene's own numbers, and then others, those that fit the first rows best first."""
+        """Yield the scene's own numbers, then others, starting with those that fit the first rows best."""
         from scipy.stats import qmc
 
         yield first
@@ -217,7 +217,7 @@ class _Search:
         last: dict[bytes, Floats] = {}
 
         def residuals(at: Floats) -> Floats:
-            """They are asked for once more for the differences."""
+            """Return the residuals, cached because the differences need them again."""
             if at.tobytes() not in last:
                 last.clear()
                 last[at.tobytes()] = self._problem.residuals(at, self._noise, part)
@@ -235,7 +235,7 @@ class _Search:
         return np.clip(found.x, self._low, self._high)
 
     def _differences(self, u: Floats, residuals: Callable[[Floats], Floats]) -> Floats:
-        """(residuals, unknowns) derivatives by central differences."""
+        """Return the derivatives, (residuals, unknowns), by central differences."""
         columns = []
         for i in range(u.size):
             ends = []
@@ -249,16 +249,16 @@ class _Search:
     def _directions(
         self, u: Floats, residuals: Callable[[Floats], Floats]
     ) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
-        """The slopes, their singular values and directions, and which of these are known."""
+        """Return the slopes, their singular values and directions, and which of the latter are known."""
         slopes = self._differences(u, residuals)
         _, singular, directions = np.linalg.svd(slopes, full_matrices=False)
-        # The error of a difference goes with its own unknown, whose unit may be far from those of others.
+        # The error of a difference scales with its own unknown, whose unit may differ greatly from others.
         error = _RANK * np.linalg.norm(directions * np.linalg.norm(slopes, axis=0), axis=1)
         known = singular > np.maximum(1.0 / _UNKNOWN, error)
         return slopes, singular, directions, known
 
     def _left(self, u: Floats) -> list[Floats]:
-        """(columns, rows) residuals of each measurement, in units of noise, with gaps."""
+        """Return the residuals of each measurement, (columns, rows), in units of noise, with gaps."""
         flat, found, at = self._problem.residuals(u, self._noise), [], 0
         for table in self._problem.tables:
             there = ~np.isnan(table.measured)
@@ -269,14 +269,14 @@ class _Search:
         return found
 
     def _is_noise(self, u: Floats) -> bool:
-        """Whether nothing is left but noise, so that no other start can do better."""
+        """Return whether only noise is left, so that no other start can do better."""
         every = [row for table in self._left(u) for row in table]
         return all(effective_sample_fraction(row) == 1.0 for row in every) and all(
             np.nanstd(row) < 0.5 for row in every
         )
 
     def _left_noise(self, u: Floats) -> list[Floats]:
-        """The noise of each column, from what is left of it."""
+        """Estimate the noise of each column from its residuals."""
         count = sum(int((~np.isnan(table.measured)).sum()) for table in self._problem.tables)
         share = max(1.0 - u.size / count, 1.0 / count)
         found = []
@@ -286,7 +286,7 @@ class _Search:
             found.append(np.maximum(root, np.maximum(_NOISELESS * spread, 1e-300)))
         return found
 
-    # --------------------------------------------------------------------- what it means
+    # --------------------------------------------------------------------- summary
     def _summed_up(self, u: Floats, first: Floats) -> Fit:
         from scipy.stats import t as student
 
@@ -297,7 +297,7 @@ class _Search:
         residuals = partial(problem.residuals, noise=noise)
         slopes, singular, directions, known = self._directions(u, residuals)
         if not known.all():
-            # What the data cannot tell stays as the scene has it.
+            # What the data cannot determine keeps the scene's values.
             back = np.clip(u - (u - first) @ directions[~known].T @ directions[~known], self._low, self._high)
             if float((residuals(back) ** 2).sum()) < float((residuals(u) ** 2).sum()) + _AS_GOOD:
                 u = back
@@ -342,10 +342,10 @@ class _Search:
         at: Floats,
         held: Sequence[int],
     ) -> tuple[Floats, float]:
-        """The least sum of squares with some unknowns held: all unknowns there, and by how much the sum
-        exceeds the least of all.
+        """Minimise the sum of squares with some unknowns held; return all unknowns there, and by how much the
+        sum exceeds the overall minimum.
 
-        It takes a few steps of Newton's method with the slopes of the best, until that is less than enough.
+        Take a few steps of Newton's method with the slopes of the best fit, until that is less than `enough`.
         """
         free = [i for i in range(at.size) if i not in held]
         sizes = np.linalg.norm(slopes[:, free], axis=0) + 1e-300
@@ -365,8 +365,8 @@ class _Search:
 
 
 def effective_sample_fraction(residuals: Floats) -> float:
-    """What part of some residuals is independent, by the correlation of neighbours; 1 where that is not more
-    than chance.
+    """Return the fraction of residuals that is independent, from the correlation of neighbours; 1 where that
+    is no more than chance.
 
     Args:
         residuals: (k,) evenly spaced; NaN for gaps.

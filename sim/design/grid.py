@@ -17,21 +17,21 @@ MAX_ROWS = 20_000
 MAX_COLUMNS = 200
 
 Row = tuple[int, list[str]]
-"""Number of a line, and its cells."""
+"""Line number and cells of a line."""
 
 _DELIMITERS = ("\t", ";", ",", "|", " ")
 _COMMENTS = ("#", "%", "//")
 _TOLD = re.compile(r"\ufeff?\"?sep=(.)\"?", re.IGNORECASE)
-"""A first line that tells spreadsheets what stands between the cells."""
+"""A first line that tells spreadsheets the delimiter."""
 _FORMULA = re.compile(r"=.|@[A-Z]+(?:\(|$)")
 _CYRILLIC = re.compile(rb"[\xa8\xb8\xc0-\xff]{3}")
 """Three letters of code page 1251 in a row; in 1252 they would be three accented ones."""
 _LONGEST = 100_000
-"""Letters of a line."""
+"""Largest number of characters in a line."""
 _SAMPLE = 1000
-"""Lines by which it is told what stands between the cells."""
+"""Number of lines from which the delimiter is determined."""
 _LONGEST_HEADING = 5
-"""Lines of a heading within quotation marks."""
+"""Largest number of lines of a heading in quotation marks."""
 
 _IN_BRACKETS = re.compile(
     r"(?:(?P<group>[^:()\[\]]{1,60}):\s*)?(?P<name>.*?)\s*[(\[]\s*(?P<unit>[^()\[\]]*?)\s*[)\]]\s*(?P<after>.*)",
@@ -45,12 +45,12 @@ _OF_RUN = re.compile(rf"(?P<name>.+?)[\s,:_-]+(?P<run>{_RUN})", re.IGNORECASE | 
 
 @dataclass(frozen=True)
 class Heading:
-    """What stands above a column.
+    """The heading of a column.
 
     Attributes:
-        group: of several columns, as a point or a run; empty where there is none.
-        name: without group and unit; empty where there is none.
-        unit: empty where there is none.
+        group: of several columns, such as a point or a run; empty if there is none.
+        name: without group and unit; empty if there is none.
+        unit: empty if there is none.
     """
 
     group: str
@@ -63,9 +63,9 @@ class Grid:
     """A table as text.
 
     Attributes:
-        headings: of each column.
-        rows: the lines with numbers; all are as long as there are headings.
-        decimal: the sign of its decimals, "." or ",".
+        headings: the heading of each column.
+        rows: the lines with numbers, each with one cell per heading.
+        decimal: the decimal sign, "." or ",".
     """
 
     headings: list[Heading]
@@ -74,15 +74,14 @@ class Grid:
 
 
 def read_grid(data: bytes, name: str) -> Grid:
-    """The cells of a table.
+    """Read the cells of a table.
 
     Args:
-        data: the file.
-        name: the file's, for messages.
+        data: contents of the file.
+        name: name of the file, for messages.
 
     Raises:
-        InputError: it is no table, or one whose numbers may be read in several ways. The sentence names the
-            line.
+        InputError: it is not a table, or its numbers are ambiguous. The message names the line.
     """
     lines = _lines(_decoded(data, name))
     told = _TOLD.fullmatch(lines[0][1].strip()) if lines else None
@@ -118,7 +117,7 @@ def _decoded(data: bytes, name: str) -> str:
 
 
 def _lines(text: str) -> list[tuple[int, str]]:
-    """The lines that have anything, with their numbers; a heading that goes over several is one of them."""
+    """Return the non-empty lines with their numbers; a heading that spans several counts as one line."""
     lines = [(number, line.strip(" \ufeff")) for number, line in enumerate(re.split(r"\r\n?|\n", text), 1)]
     found: list[tuple[int, str]] = []
     at = 0
@@ -136,7 +135,7 @@ def _lines(text: str) -> list[tuple[int, str]]:
 
 
 def _split(lines: list[tuple[int, str]], told: str, name: str) -> list[Row]:
-    """The cells of each line that is no comment, cut where most of the first lines become numbers."""
+    """Split lines other than comments at the delimiter that gives most of the first lines numbers."""
     best, most = "", (0, 0)
     for delimiter in (told,) if told else _DELIMITERS:
         rows = _rows(lines[:_SAMPLE], delimiter, name)
@@ -152,9 +151,9 @@ def _split(lines: list[tuple[int, str]], told: str, name: str) -> list[Row]:
 
 
 def _rows(lines: list[tuple[int, str]], delimiter: str, name: str) -> list[Row]:
-    """The cells of each line that is no comment.
+    """Return the cells of each line that is not a comment.
 
-    A comment just above the first numbers that has a cell for each is their heading, as NumPy writes it.
+    A comment just above the first numbers with a cell for each is their heading, as written by NumPy.
     """
     rows: list[Row] = []
     comment = ""
@@ -183,20 +182,20 @@ def _cut(line: str, delimiter: str, number: int, name: str) -> list[str]:
         raise InputError(f"{name}, line {number}: it is longer than {_LONGEST} letters")
     if delimiter == " ":
         return line.split()
-    # One line at a time: a quotation mark that is never closed must not swallow what comes after it.
+    # One line at a time: an unclosed quotation mark must not swallow the lines after it.
     cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
     return [cell.strip() for cell in cells]
 
 
 def _is_data(row: list[str]) -> bool:
-    """Whether a line has at least two numbers or times, the first cell among them, or nothing else."""
+    """Return whether a line has at least two numbers or times, and starts with one or has nothing else."""
     filled = [cell for cell in row if not is_gap(cell) and not is_date(cell)]
     found = sum(map(_is_value, filled))
     return found >= 2 and (found == len(filled) or _is_value(filled[0]))
 
 
 def _is_all_data(row: list[str]) -> bool:
-    """Whether a line has numbers, and gaps at most."""
+    """Return whether a line has numbers and nothing else but gaps."""
     return any(map(_is_value, row)) and all(map(_is_value_or_gap, row))
 
 
@@ -209,7 +208,7 @@ def _is_value_or_gap(cell: str) -> bool:
 
 
 def _parted(rows: list[Row], name: str) -> tuple[list[Row], list[Row]]:
-    """The lines above the numbers, and those with numbers; lines of gaps alone are neither."""
+    """Return the lines above the numbers, and those with numbers; lines of gaps alone are neither."""
     first = next(i for i, (_, row) in enumerate(rows) if _is_data(row))
     width = Counter(len(row) for _, row in rows[first:]).most_common(1)[0][0]
     while first and all(map(_is_value_or_gap, rows[first - 1][1])):
@@ -234,10 +233,10 @@ def _are_names(row: list[str], width: int) -> bool:
 
 
 def _decimal(rows: list[Row], name: str) -> str:
-    """The sign of the decimals of all numbers.
+    """Return the decimal sign of all numbers.
 
     Raises:
-        InputError: they differ, or cannot be told.
+        InputError: numbers differ in it, or it is ambiguous.
     """
     numbers = (
         (line, cell)
@@ -265,7 +264,7 @@ def _decimal(rows: list[Row], name: str) -> str:
 
 # ------------------------------------------------------------------------- headings
 def _headings(head: list[Row], width: int) -> tuple[list[Heading], int]:
-    """What the lines above the numbers say of each column, and how many columns they name; 0 without them."""
+    """Return the heading of each column, and the number of columns named, 0 without any headings."""
     rows = [row + [""] * (width - len(row)) for _, row in head if len(row) <= width and any(row)]
     named = [len(row) for _, row in head if any(row)]
     units = [""] * width
@@ -301,7 +300,7 @@ def _heading(cell: str, unit: str) -> Heading:
 
 
 def _grouped(headings: list[Heading], above: list[str]) -> list[Heading]:
-    """Headings with names that stand above several of them each, as Tracker and DataStudio have them."""
+    """Add group names from the line above, each over several columns, as in Tracker and DataStudio."""
     current, found = "", []
     for each, cell in zip(headings, above, strict=True):
         current = printable(cell) or current

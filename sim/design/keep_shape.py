@@ -1,4 +1,4 @@
-"""Rest lengths and rest angles with which a body rests in the pose that it has."""
+"""Rest lengths and rest angles with which a body is at rest in its present pose."""
 
 from __future__ import annotations
 
@@ -21,35 +21,35 @@ from ..scene.validate import validate
 from .statics import Bools, Floats, Indices, Statics, Touch, Vectors
 
 _TOUCHES = 1e-6
-"""Distance from a wall, as a part of a typical spring's length, at which a mass touches it."""
+"""Distance from a wall, as a fraction of a typical spring's length, within which a mass touches it."""
 _SINKINGS = 60
-"""Largest number of times that masses are placed anew on walls."""
+"""Largest number of times that masses are repositioned in walls."""
 _SUNK = 1e-14
-"""Movement, as a part of the largest coordinate, that ends it."""
+"""Movement, relative to the largest coordinate, at which that ends."""
 _LIGHTER = 40
-"""Largest number of times that what bears too much is given less to bear."""
+"""Largest number of times that overloaded parts are relieved."""
 _MAX_FOR_PROGRAM = 1500
-"""Largest number of masses for the linear program, whose time grows faster than with their square."""
+"""Largest number of masses for the linear program, whose run time grows faster than their square."""
 _TAUT = (0.01, 0.03, 0.1, 0.2, 0.4)
-"""Tensions, as parts of stiffness times length, to which springs are drawn where the body would buckle."""
+"""Tensions, as fractions of stiffness times length, tried for springs where the body would buckle."""
 _ITERATIONS = 30
-"""Number of inverse iterations for a motion."""
+"""Number of inverse iterations that find a motion."""
 _ALIKE = 1e-3
-"""Difference, relative to the largest movement, at which a motion is a rotation."""
+"""Difference, relative to the largest movement, up to which a motion is a rotation."""
 _STIFFEST = 1e3
-"""Largest factor by which a body is made stiffer."""
+"""Largest factor by which a body is stiffened."""
 _FINE = 1.01
-"""Ratio between a factor that is enough and one that is not."""
+"""Ratio between a sufficient and an insufficient factor at which the search ends."""
 
 
 class DesignError(InputError):
-    """What is asked for cannot be had. The message is one sentence that names the part.
+    """The requested design is impossible. The message is one sentence that names the part.
 
     Attributes:
-        sentence: that one, without what was asked for, and without a full stop.
-        motion: (n, 2) how the masses would move, relative to the largest movement; None where it is not a
-            motion that is in the way.
-        stiffening: factor of all stiffness with which it could be had, or None.
+        sentence: the message without the name of the operation, and without a full stop.
+        motion: (n, 2) how the masses would move, relative to the largest movement; None if the obstacle is
+            not a motion.
+        stiffening: factor of all stiffness with which it would be possible, or None.
     """
 
     def __init__(
@@ -64,18 +64,18 @@ class DesignError(InputError):
 
 
 def keep_shape(scene: Scene, parts: Selection | None = None, allow_stiffening: bool = False) -> Scene:
-    """The scene with rest lengths and rest angles such that its pose is at rest.
+    """Return the scene with rest lengths and rest angles such that its pose is at rest.
 
     Gravity, constant forces, the mean wind, fillings, walls and contact are balanced in the pose as it is.
-    Masses that only touch a wall sink into it as far as they must. Of all solutions it is the one that
-    deforms springs and joints least; where that would buckle, one in which springs are drawn tighter. See
-    `statics` for the equations. Masses, damping and stiffness stay.
+    Masses that only touch a wall sink into it as far as necessary. The solution is the one that deforms
+    springs and joints least; where that would buckle, one in which springs are under more tension. See
+    `statics` for the equations. Masses, damping and stiffness stay unchanged.
 
     Args:
         scene: a valid scene. The pose is its own, or the masses' own positions.
         parts: the springs and joints that may change; None for all.
-        allow_stiffening: whether the stiffness of what changes may grow, all by the least factor that helps,
-            where nothing else does.
+        allow_stiffening: whether the parts that change may also become stiffer, all by the smallest factor
+            that helps, where nothing else does.
 
     Returns:
         The scene, with the pose at rest.
@@ -111,7 +111,7 @@ def keep_shape(scene: Scene, parts: Selection | None = None, allow_stiffening: b
 
 
 def keep_shape_at(moment: Moment, parts: Selection | None = None, allow_stiffening: bool = False) -> Scene:
-    """As `keep_shape`, for the pose at a moment, with what keys have changed until then."""
+    """As `keep_shape`, for the pose at a moment, including what keys have changed until then."""
     scene, shift = of_parts(moment.scene), moment.rest_angle_shift
     still = tuple((0.0, 0.0) for _ in scene.masses)
     places = tuple((float(x), float(y)) for x, y in moment.positions)
@@ -128,7 +128,7 @@ def keep_shape_at(moment: Moment, parts: Selection | None = None, allow_stiffeni
 
 
 def _turned(scene: Scene, shift: float) -> tuple[AngularSpring, ...]:
-    """The scene's joints with rest angles turned by some degrees."""
+    """Return the scene's joints with rest angles turned by some degrees."""
     if not shift:
         return scene.angular_springs
     return tuple(
@@ -139,11 +139,11 @@ def _turned(scene: Scene, shift: float) -> tuple[AngularSpring, ...]:
 
 # ------------------------------------------------------------------------- the balance
 def _balance(body: StaticModel, at: Vectors, springs: Bools, joints: Bools) -> tuple[Statics, Floats | None]:
-    """The balance in a pose, and what springs and joints bear in it; None where there is none.
+    """Return the balance in a pose, and the loads on springs and joints in it; None if there is none.
 
-    In that case masses that touch walls are set as deep into them as these have to push, if that helps. What
-    they push is an unknown; where it would have to pull, the mass does not touch after all. So is what holds
-    them along the walls, up to what friction can.
+    In that case masses that touch walls are set into them as deep as the necessary push requires, if that
+    helps. The push is an unknown; where the wall would have to pull, the mass does not touch it after all.
+    The friction that holds masses along walls is an unknown, too, up to its limit.
     """
     statics = Statics(body, at, springs, joints, Touch.none())
     x = statics.solve(statics.stiffness)
@@ -172,7 +172,7 @@ def _balance(body: StaticModel, at: Vectors, springs: Bools, joints: Bools) -> t
 
 
 def _touching(body: StaticModel, at: Vectors) -> Touch:
-    """What touches a wall, or is in one."""
+    """Return the free masses that touch a wall or are in one, with the forces that it can exert."""
     free = body.state.inverse_mass[body.system.mass_index] > 0.0
     masses: list[Indices] = []
     walls: list[Indices] = []
@@ -195,7 +195,7 @@ def _touching(body: StaticModel, at: Vectors) -> Touch:
 
 
 def _set_into_walls(body: StaticModel, at: Vectors, touch: Touch, pushes: Floats) -> Vectors:
-    """The positions with each touching mass as deep in its wall as that pushes it, kg px/s²."""
+    """Return the positions with each touching mass at the depth where its wall has this push, kg px/s²."""
     moved = at.copy()
     for row, numbers in enumerate(body.tables.environment.walls.rows):
         wall, here = WallRow(*numbers), (touch.wall == row) & ~touch.along
@@ -218,14 +218,14 @@ def _hold_along_walls(body: StaticModel, at: Vectors, touch: Touch, forces: Floa
             state.wall_place[row, slot[masses]] = at[masses].imag * wall.nx - at[masses].real * wall.ny
 
 
-# ------------------------------------------------------------------------- what parts can bear
+# ------------------------------------------------------------------------- limits of loads
 def _within_bounds(statics: Statics, x: Floats) -> tuple[Floats, float, Floats]:
-    """What springs and joints bear, none more than it can; the factor of stiffness that this takes, 1 for
-    none; and how much each bears of what it can.
+    """Return loads on springs and joints within their limits; the factor of stiffness that this takes, 1 for
+    none; and each load over its limit.
 
-    What bears too much counts as softer and softer in the sum that is to be small. If that does not help, a
-    linear program finds the solution in which the largest part of what a spring or joint can bear is least;
-    for a large body, the best of those before stands for it.
+    Overloaded parts are weighted as softer and softer in the sum that is minimised. If that does not help, a
+    linear program finds the solution that minimises the largest load over its limit; for a large body, the
+    best previous solution is used instead.
     """
     stiffness, best, least = statics.stiffness.copy(), x, np.inf
     for _ in range(_LIGHTER):
@@ -242,7 +242,7 @@ def _within_bounds(statics: Statics, x: Floats) -> tuple[Floats, float, Floats]:
         x = lighter
     if statics.at.size <= _MAX_FOR_PROGRAM:
         even = statics.most_even()
-        # The program lets all parts bear as much as the one that bears most, though they need not.
+        # The program may load all parts as much as the most loaded one, even without need.
         if even is not None and float(statics.share(even).max()) < least * (1.0 - _ALIKE):
             best = even
     share = statics.share(best)
@@ -250,7 +250,7 @@ def _within_bounds(statics: Statics, x: Floats) -> tuple[Floats, float, Floats]:
 
 
 def _tighter(statics: Statics, x: Floats) -> Iterator[Floats]:
-    """Solutions in which springs are drawn tighter and tighter, as far as there are any."""
+    """Yield solutions in which springs are under more and more tension, as far as there are any."""
     for taut in _TAUT:
         target = np.where(statics.is_spring, taut * statics.most, x)
         tighter = statics.solve(statics.stiffness, target)
@@ -261,10 +261,10 @@ def _tighter(statics: Statics, x: Floats) -> Iterator[Floats]:
 def _stiff_enough(
     scene: Scene, statics: Statics, x: Floats, stiffening: float, shape: Floats, allowed: bool
 ) -> Scene:
-    """The scene with what changes made just so stiff that it does not buckle.
+    """Return the scene with the parts that change just stiff enough that it does not buckle.
 
     Raises:
-        DesignError: that is not allowed, or does not help.
+        DesignError: stiffening is not allowed, or does not help.
     """
     low = high = stiffening
     made = None
@@ -287,7 +287,7 @@ def _stiff_enough(
 
 
 def _standing(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> Scene | None:
-    """The scene with some factor of stiffness, unless it buckles or a part would be too stiff for a scene."""
+    """Return the scene with some factor of stiffness; None if it buckles or a stiffness is out of range."""
     try:
         made = _with_rest(scene, statics, x, stiffening)
     except SceneError:
@@ -301,7 +301,7 @@ def _most_moved(motion: Floats) -> int:
 
 # ------------------------------------------------------------------------- rest lengths and rest angles
 def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> Scene:
-    """The scene in which springs and joints bear what they are to, in closed form."""
+    """Return the scene in which springs and joints have the given loads, in closed form."""
     lengths, angles = statics.rest(x, stiffening)
     damage = scene.pose.damage if scene.pose else None
     if damage is not None and damage.set_lengths:
@@ -335,13 +335,14 @@ def _with_rest(scene: Scene, statics: Statics, x: Floats, stiffening: float) -> 
 
 # ------------------------------------------------------------------------- stability
 def _buckling(scene: Scene) -> Floats | None:
-    """(n, 2) how a balanced body leaves its pose, relative to the largest movement; None if it is stable."""
+    """Return (n, 2) the motion by which a balanced body leaves its pose, relative to the largest movement;
+    None if it is stable."""
     body = StaticModel(scene, balanced=True)
     neutral = NEUTRAL if body.system.held.any() else NEUTRAL_FREE
     if body.factorise(body.start, neutral):
         return None
-    # The least shift with which the matrix is positive definite is minus its lowest eigenvalue, and inverse
-    # iteration from just above it leads to that one's motion.
+    # The smallest shift that makes the matrix positive definite is minus its lowest eigenvalue, and inverse
+    # iteration with a shift just above it converges to the motion of that eigenvalue.
     low, high = neutral, 1e-9
     while not body.factorise(body.start, high):
         low, high = high, 4.0 * high
@@ -362,7 +363,7 @@ def _relative(motion: Floats) -> Floats:
 
 # ------------------------------------------------------------------------- refusals
 def _overloaded(statics: Statics, share: Floats, stiffening: float) -> DesignError:
-    """What to say where some springs or joints bear more than they can."""
+    """Return the error for overloaded springs or joints."""
     over = np.flatnonzero(share > 1.0)
     worst = int(over[np.argmax(share[over])])
     word, index = statics.name_of(worst)
@@ -374,7 +375,7 @@ def _overloaded(statics: Statics, share: Floats, stiffening: float) -> DesignErr
 
 
 def _unheld(statics: Statics, are_some: bool) -> DesignError:
-    """What to say where no forces of springs and joints, or of some of them, balance the others."""
+    """Return the error where no forces of springs and joints, or of some of them, balance the others."""
     motion = statics.mechanism()
     first = int(np.argmax(np.abs(motion)))
     if are_some:

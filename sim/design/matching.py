@@ -1,4 +1,4 @@
-"""Which quantity of a scene a column of a measurement is."""
+"""Match the columns of measurements with quantities of a scene."""
 
 from __future__ import annotations
 
@@ -36,15 +36,15 @@ _OF_SPRINGS = {
 
 @dataclass(frozen=True, eq=False)
 class Match:
-    """A column as a quantity: what was measured is `offset + sign * quantity`, in the scene's units.
+    """A column matched with a quantity: it measures `offset + sign * quantity`, in the scene's units.
 
     Attributes:
-        column: with the numbers.
-        quantity: of the scene.
+        column: the measured values.
+        quantity: the scene's quantity.
         sign: 1 or -1.
         offset: in the quantity's unit.
-        unit: of the column.
-        scale: how many of the scene's lengths one of the unit's lengths is; None where that is not known.
+        unit: the unit of the column.
+        scale: number of the scene's length units in the unit's length; None if unknown.
     """
 
     column: Column
@@ -56,7 +56,7 @@ class Match:
 
     @property
     def text(self) -> str:
-        """As it was written."""
+        """The match as it was written."""
         offset = f"{self.offset:g} " if self.offset else ""
         sign = "-" if self.sign < 0.0 else "+" if self.offset else ""
         return f"{offset}{sign}{' ' if self.offset else ''}{self.quantity.name}"
@@ -65,18 +65,18 @@ class Match:
 def matched(
     measurement: Measurement, scene: Scene, match: Mapping[str, str] | None = None
 ) -> tuple[Match, ...]:
-    """The columns that are quantities of a scene, by their names or as they are given.
+    """Return the columns that are quantities of a scene, by their names or as given.
 
     Args:
         measurement: the table.
-        scene: whose quantities.
-        match: for names of columns the quantities, as in "mass1.x", "-mass1.y" or "90 - spring0.direction";
-            an empty text leaves a column out. Other columns of the table are left out, too. None for what
-            `guesses` finds.
+        scene: the scene with the quantities.
+        match: quantities by column name, as in "mass1.x", "-mass1.y" or "90 - spring0.direction"; an empty
+            text leaves a column out, and columns not named are left out, too. None for the result of
+            `guesses`.
 
     Raises:
-        InputError: there is no such column or quantity, or the unit is not one of the quantity, or no column
-            is any quantity.
+        InputError: there is no such column or quantity, a unit does not fit its quantity, or no column is a
+            quantity.
     """
     wanted = guesses(measurement, scene) if match is None else match
     found = []
@@ -119,11 +119,11 @@ def _match(measurement: Measurement, column: Column, text: str, scene: Scene) ->
 
 
 def guesses(measurement: Measurement, scene: Scene) -> dict[str, str]:
-    """For each column the quantity that its name says; an empty text where it says none.
+    """Guess the quantity of each column from its name; an empty text where the name gives none.
 
     Names of quantities stand for themselves, as in softrod's own tables. "x", "vy", "angle", "force" and the
-    like are of the last free mass, of the joint or spring next to it, or of the part that a number or a
-    letter names. Where the scene's y grows downwards, "y" is taken to grow upwards, as in Tracker.
+    like refer to the last free mass, the joint or spring next to it, or the part named by a number or letter.
+    Where the scene's y axis points down, "y" is assumed to point up, as in Tracker.
     """
     own = {column.name for column in measurement.columns} >= {"step", "x0", "y0"}
     return {column.name: _guess(column, scene, own) for column in measurement.columns}
@@ -179,7 +179,7 @@ def _guessed_text(name: str, scene: Scene, own: bool) -> str:
         if joint < COUNTED["joint"](scene):
             return f"joint{joint}.angle"
         if spring < COUNTED["spring"](scene):
-            # From hanging, and growing towards +x.
+            # 0 when hanging, and increasing towards +x.
             hangs_from_first = (
                 scene.linear_springs[spring].a in held or scene.linear_springs[spring].b not in held
             )

@@ -1,4 +1,4 @@
-"""Tables of what was measured, as loggers, spreadsheets, video programs and softrod itself write them."""
+"""Tables of measurements, as written by loggers, spreadsheets, video programs and softrod itself."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ from .grid import Grid, Heading, read_grid
 Floats = NDArray[np.float64]
 
 MAX_BYTES = 5_000_000
-"""Size of the largest file that is read."""
+"""Largest size of a file that is read, bytes."""
 
 _POINT = re.compile(r"(?:mass|point|masse|punkt|ball|body)[ _]?[a-z0-9]?", re.IGNORECASE)
-"""What is measured at the same time as others are, and is no run of its own."""
+"""Names of groups that are measured at the same time, and are not runs of their own."""
 _FRAMES = ("frame", "frames", "bild", "index", "step", "sample", "image", "n", "i", "#", "nr", "no")
 _NO_TIMES = ("x", "y", "z", "vx", "vy", "v", "ax", "ay", "a", "angle", "theta", "θ", "phi", "φ", "force")
 
@@ -41,9 +41,9 @@ class Column:
     """A column of a table.
 
     Attributes:
-        name: from the header, without the unit; "column 3" where there is none.
-        unit: from the header; empty where there is none.
-        values: (k,) one for each time; NaN where the place is empty.
+        name: from the header, without the unit; "column 3" if there is none.
+        unit: from the header; empty if there is none.
+        values: (k,) one for each time; NaN where the cell is empty.
     """
 
     name: str
@@ -58,14 +58,14 @@ class Column:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """What was measured in one go.
+    """The data of one measurement.
 
     Attributes:
-        name: of the file, and of the run where it has several.
-        time: (k,) s, growing.
-        columns: the others.
-        is_absolute: whether the time is that of a day, or since 1970, and not since the motion began.
-        remarks: what was not read as one might think, in sentences.
+        name: of the file, and of the run if it has several.
+        time: (k,) s, increasing.
+        columns: the other columns.
+        is_absolute: whether the time is a time of day, or since 1970, rather than since the motion began.
+        remarks: sentences on what was not read as one might expect.
     """
 
     name: str
@@ -75,7 +75,7 @@ class Measurement:
     remarks: tuple[str, ...] = ()
 
     def column(self, name: str) -> Column:
-        """A column by its name, or by its name with the unit.
+        """Return a column by its name, or by its name with the unit.
 
         Raises:
             InputError: there is none.
@@ -88,10 +88,10 @@ class Measurement:
 
 
 def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
-    """The table in a file; see `parse_measurements`.
+    """Read the table in a file; see `parse_measurements`.
 
     Raises:
-        InputError: there is no such file, or it is no such table.
+        InputError: the file cannot be read, or it is not such a table.
     """
     path = Path(path)
     try:
@@ -103,22 +103,22 @@ def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
 
 
 def parse_measurements(data: bytes, name: str) -> tuple[Measurement, ...]:
-    """A table of numbers over time: one measurement, or one for each run where runs stand side by side.
+    """Parse a table of numbers over time: one measurement, or one for each run where runs are side by side.
 
-    Cells stand between tabs, semicolons, commas, bars or spaces, or what a first line "sep=" says. Decimals
-    have points or commas, the same in all of a table, and thousands may be grouped. Lines that begin with #,
-    %, // or ; are left out. A header may name the columns, with units as in "x (cm)", "x [cm]" or "x / cm";
-    units may also be a line of their own below it, and names of points or runs stand above or in it. The time
-    is what is called so or is in a unit of time, or else the first column: in s or another unit, as h:mm:ss,
-    with a date, or since 1970. An empty cell, "-", "NaN", "n/a" and the like are gaps.
+    Cells are separated by tabs, semicolons, commas, bars or spaces, or by the sign in a first line "sep=".
+    Decimal signs are points or commas, the same throughout a table, and thousands may be grouped. Lines that
+    begin with #, %, // or ; are skipped. A header may name the columns, with units as in "x (cm)", "x [cm]"
+    or "x / cm"; units may also be on a line of their own below it, and names of points or runs above or in
+    it. The time is the column named so or in a unit of time, otherwise the first: in s or another unit, as
+    h:mm:ss, with a date, or since 1970. Empty cells, "-", "NaN", "n/a" and the like are gaps.
 
     Args:
-        data: the file.
-        name: the file's, for messages.
+        data: contents of the file.
+        name: name of the file, for messages.
 
     Raises:
-        InputError: it is not such a table, or may be read in several ways. The sentence names the line, and
-            the column if it is one.
+        InputError: it is not such a table, or is ambiguous. The message names the line, and the column if
+            there is one.
     """
     name = printable(name)
     if len(data) > MAX_BYTES:
@@ -131,7 +131,7 @@ class _Table:
 
     Args:
         grid: the cells.
-        name: the file's.
+        name: name of the file.
     """
 
     def __init__(self, grid: Grid, name: str) -> None:
@@ -141,13 +141,13 @@ class _Table:
         self._headings = grid.headings
         self._remarks: list[str] = []
         self._times: set[int] = set()
-        """Columns of times as clocks show them."""
+        """Columns of clock times."""
         self._left_out: set[int] = set()
-        """Clocks that are not the time."""
+        """Clocks that are not used as the time."""
         self._values = [self._numbers(i) for i in range(len(grid.headings))]
 
     def measurements(self) -> Iterator[Measurement]:
-        """One for each run."""
+        """Yield one for each run."""
         clocks = self._clocks()
         others = [i for i in self._filled() if i not in clocks and i not in self._left_out]
         if all(self._same(clocks[0], other) for other in clocks[1:]):
@@ -160,7 +160,7 @@ class _Table:
             yield self._together(parts, run if len(runs) > 1 else "")
 
     def _run_of(self, clock: int, others: list[int]) -> str:
-        """The name of the run in which some columns were measured; empty where nothing says it."""
+        """Return the name of the run in which some columns were measured; empty if there is none."""
         groups = {self._headings[i].group for i in (clock, *others)} - {""}
         if groups and all(map(_POINT.fullmatch, groups)):
             return "points"
@@ -168,7 +168,7 @@ class _Table:
 
     # --------------------------------------------------------------------- the cells
     def _numbers(self, i: int) -> Floats:
-        """(k,) the numbers of a column; NaN for gaps, and all NaN where it is a text.
+        """Return (k,) the numbers of a column; NaN for gaps, and all NaN if it is text.
 
         Raises:
             InputError: one is not a finite number.
@@ -207,10 +207,10 @@ class _Table:
 
     # --------------------------------------------------------------------- which are clocks
     def _clocks(self) -> list[int]:
-        """The columns that are the time.
+        """Return the columns that are the time.
 
         Raises:
-            InputError: there is none, or it cannot be told which.
+            InputError: there is none, or it is ambiguous.
         """
         filled, headings = self._filled(), self._headings
         named = [
@@ -237,14 +237,14 @@ class _Table:
         return found
 
     def _without(self, clocks: list[int], better: list[int]) -> list[int]:
-        """The better ones of some clocks, if there are any; what is left out is told."""
+        """Return the better ones of some clocks, if there are any; add remarks on those left out."""
         if not better:
             return clocks
         self._leave_out(better[0], [i for i in clocks if i not in better])
         return better
 
     def _leave_out(self, time: int, clocks: list[int]) -> None:
-        """Leave out clocks that are not the time, and say so."""
+        """Leave out clocks that are not the time, and add remarks."""
         for i in clocks:
             if i not in self._left_out:
                 self._left_out.add(i)
@@ -253,7 +253,7 @@ class _Table:
                 )
 
     def _first(self, filled: list[int]) -> int:
-        """The first column, where nothing is called the time."""
+        """Return the first column, for tables in which nothing is called the time."""
         i = filled[0]
         heading = self._headings[i]
         name = heading.name.lower()
@@ -271,17 +271,17 @@ class _Table:
         return seconds_of(self._headings[i].unit)
 
     def _is_absolute(self, i: int) -> bool:
-        """Whether a clock shows the time of a day, or since 1970."""
+        """Return whether a clock shows the time of day, or the time since 1970."""
         unit, first = self._unit(i) or 1.0, self._values[i][~np.isnan(self._values[i])][0]
         if i in self._times:
             return bool(first >= 3600.0)
         return unit_since_1970(float(first)) is not None if not self._headings[i].unit else first * unit > 1e8
 
     def _seconds(self, i: int) -> Floats:
-        """(k,) the time of a clock, s.
+        """Return (k,) the time of a clock, s.
 
         Raises:
-            InputError: its unit cannot be told.
+            InputError: its unit cannot be determined.
         """
         values = self._values[i]
         if i in self._times:
@@ -292,7 +292,7 @@ class _Table:
         return values * unit
 
     def _unit_by_others(self, i: int) -> float:
-        """Seconds of the unit of a clock that names none: since 1970, or as one beside it goes."""
+        """Return the seconds in the unit of a clock that names none: since 1970, or as another clock runs."""
         values = self._values[i]
         own = unit_since_1970(float(values[~np.isnan(values)][0]))
         if own is not None:
@@ -314,14 +314,14 @@ class _Table:
                 return unit
         return 1.0
 
-    # --------------------------------------------------------------------- what goes with which clock
+    # --------------------------------------------------------------------- columns of each clock
     def _parts(self, clocks: list[int], others: list[int]) -> list[tuple[int, list[int]]]:
-        """Each clock, and the others of all columns that were measured by it.
+        """Return each clock with the other columns that were measured by it.
 
         Raises:
-            InputError: that cannot be told.
+            InputError: these cannot be determined.
         """
-        # Either in rows of a clock and its columns, or as the numbers or groups in the names say.
+        # Either each clock is next to its columns, or numbers or groups in the names assign them.
         bounds = [*clocks, len(self._headings)]
         after = [(c, [i for i in others if c < i < end]) for c, end in zip(clocks, bounds[1:], strict=True)]
         if others and others[0] > clocks[0] and all(columns for _, columns in after):
@@ -345,7 +345,7 @@ class _Table:
         )
 
     def _together(self, parts: list[tuple[int, list[int]]], run: str) -> Measurement:
-        """What was measured in one run, by one clock or several, at all of their times."""
+        """Merge the measurements of one run, by one clock or several, at all of their times."""
         each = [self._measurement(clock, columns, run) for clock, columns in parts]
         if len(each) == 1:
             return each[0]
@@ -361,10 +361,10 @@ class _Table:
         return replace(each[0], time=time, columns=tuple(columns.values()))
 
     def _measurement(self, clock: int, others: Sequence[int], run: str) -> Measurement:
-        """What was measured by one clock.
+        """Return the measurement by one clock.
 
         Raises:
-            InputError: a number has no time, or the time does not grow.
+            InputError: a number has no time, or the time does not increase.
         """
         name = f"{self._name}, {run}" if run else self._name
         seconds = self._seconds(clock)
@@ -390,16 +390,16 @@ class _Table:
         return Measurement(name, time, columns, self._is_absolute(clock), tuple(self._remarks))
 
     def _any(self, columns: Sequence[int]) -> NDArray[np.bool_]:
-        """(k,) whether a line has a number in one of some columns."""
+        """Return (k,) whether a line has a number in any of some columns."""
         found = np.zeros(len(self._lines), np.bool_)
         for i in columns:
             found |= ~np.isnan(self._values[i])
         return found
 
     def _labels(self, clock: int, columns: Sequence[int], run: str) -> list[str]:
-        """A name for each of some columns, with the group if that is not the whole run; none twice.
+        """Return a unique name for each of some columns, with the group unless that is the whole run.
 
-        Of several runs the number is the clock's, and no part's: "x2" beside "t2" is x.
+        With several runs, a final number is the clock's, not a part's: "x2" beside "t2" is x.
         """
         found: list[str] = []
         number = number_of(self._headings[clock].name) if run else ""
@@ -419,7 +419,7 @@ class _Table:
 
 
 def _not_in(taken: Collection[str], name: str) -> str:
-    """A name, with a mark for each time that it is there already."""
+    """Return a name, with a mark for each time that it is already taken."""
     while name in taken:
         name += "'"
     return name

@@ -19,11 +19,11 @@ from ..settings import set_value, setting_of
 _PART = re.compile(r"(mass|spring|joint)(\d{1,9})\.([a-z_]+)", re.ASCII)
 _KINDS = {"mass": "masses", "spring": "linear_springs", "joint": "angular_springs"}
 _STARTS = {"x": (0, 0), "y": (0, 1), "vx": (1, 0), "vy": (1, 1)}
-"""Whether it is a velocity, and the axis, of what a mass starts with."""
+"""Start values of a mass: whether it is a velocity, and the axis."""
 _SOLVING = ("dt", "tolerance", "template")
-"""Settings that say how a scene is solved, or are no numbers."""
+"""Settings that control the solver, or are not numbers."""
 _SMALL = 1e-3
-"""Start of a number that is 0 and cannot be negative, as a part of its slider's largest."""
+"""Starting value of a number that is 0 and cannot be negative, as a fraction of its slider's maximum."""
 _REACH = 1e4
 """Largest factor by which a fit changes a number."""
 _RADIAN = 57.29577951308232
@@ -31,16 +31,16 @@ _RADIAN = 57.29577951308232
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number that is fitted, as a function of an unbounded one, u: exp(u), or scale * u.
+    """A fitted number as a function of an unbounded variable u: exp(u), or scale * u.
 
     Attributes:
-        name, unit: as people read them.
-        start: the number in the scene; where that is 0 and must not be negative, a small one.
-        low, high: between which it is sought.
+        name, unit: for people.
+        start: the number in the scene; a small one where that is 0 and must not be negative.
+        low, high: the range in which it is sought.
         logarithmic: whether it is exp(u).
-        scale: of u otherwise.
-        write: returns the scene with another number; None for what is not of the scene.
-        spread: whether other starts are tried for it.
+        scale: the factor of u otherwise.
+        write: returns the scene with another number; None if the number is not in the scene.
+        spread: whether other starting values are tried.
     """
 
     name: str
@@ -54,21 +54,21 @@ class Parameter:
     spread: bool = True
 
     def value(self, u: float) -> float:
-        """The number for u."""
+        """Return the number for u, clipped to its range."""
         return min(max(self.free(u), self.low), self.high)
 
     def free(self, u: float) -> float:
-        """The number for u, whatever its range is."""
+        """Return the number for u, regardless of its range."""
         return math.exp(u) if self.logarithmic else self.scale * u
 
     def u(self, value: float) -> float:
-        """The u of a number."""
+        """Return the u of a number."""
         return math.log(value) if self.logarithmic else value / self.scale
 
 
 def parameter(name: str, scene: Scene, duration: float) -> Parameter:
-    """What `vary` names: a setting, see `sim.set_value`; a number of a part, as in "mass1.mass" or
-    "spring0.stiffness"; or what a mass starts with, as in "mass1.vx".
+    """Return the parameter for a name in `vary`: a setting, see `sim.set_value`; a number of a part, as in
+    "mass1.mass" or "spring0.stiffness"; or a start value of a mass, as in "mass1.vx".
 
     Args:
         name: what to vary.
@@ -152,7 +152,7 @@ def _made(
     small: float,
 ) -> Parameter:
     if unit == "°":
-        # Angles, however often they have gone round.
+        # Angles, after any number of turns.
         return Parameter(name, unit, value, low, high, False, _RADIAN, write)
     if value < 0.0 or (value == 0.0 and low < 0.0):
         scale = abs(value) or 1e6 * small
@@ -170,19 +170,19 @@ def _made(
     return Parameter(name, unit, start, max(low, start / _REACH), min(high, start * _REACH), True, 1.0, write)
 
 
-# ------------------------------------------------------------------------- what masses start with
+# ------------------------------------------------------------------------- start values of masses
 Starts = tuple[list[list[float]], list[list[float]]]
 
 
 def start_of(scene: Scene) -> Starts:
-    """Places and velocities with which the masses start."""
+    """Return the positions and velocities at which the masses start."""
     if scene.pose is not None:
         return [list(p) for p in scene.pose.positions], [list(v) for v in scene.pose.velocities]
     return [list(m.position) for m in scene.masses], [list(m.velocity) for m in scene.masses]
 
 
 def with_start(scene: Scene, changes: dict[tuple[int, int, int], float]) -> Scene:
-    """The scene with other places (0) and velocities (1) of masses: by mass, which of them, and axis."""
+    """Return the scene with other start positions (0) or velocities (1), keyed by mass, these, and axis."""
     both = start_of(scene)
     for (mass, of, axis), value in changes.items():
         both[of][mass][axis] = value
@@ -192,6 +192,6 @@ def with_start(scene: Scene, changes: dict[tuple[int, int, int], float]) -> Scen
 
 
 def size_of(scene: Scene) -> float:
-    """The larger side of the box around the start, px."""
+    """Return the larger side of the bounding box at the start, px."""
     places = start_of(scene)[0]
     return max(max(axis) - min(axis) for axis in zip(*places, strict=True)) or 1.0

@@ -1,4 +1,4 @@
-"""What is left of a measurement, after a run of a scene, as a function of the unknowns of a fit."""
+"""Residuals of measurements against runs of a scene, as a function of the unknowns of a fit."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Floats = NDArray[np.float64]
 MAX_VARIED = 6
 """Largest number of names in `vary`."""
 MAX_UNKNOWNS = 40
-"""Largest number of unknowns; start and origin are several each."""
+"""Largest number of unknowns; start and origin count as several each."""
 MAX_STEPS = 200_000
 """Largest number of steps of a run."""
 OF_MEASUREMENT = {
@@ -38,22 +38,22 @@ OF_MEASUREMENT = {
     "origin": "where the scene's zero is in what was measured",
     "length_scale": "how many of the scene's lengths are one of those that were measured",
 }
-"""What `vary` may name besides the scene's own numbers."""
+"""Names that `vary` accepts besides the scene's own numbers."""
 
 _FINE = 1e-8
-"""Tolerance of runs, as a part of the body's size: differences of runs are to be smooth."""
+"""Tolerance of runs as a fraction of the body's size, small so that differences between runs are smooth."""
 _FEWEST = 8
-"""Smallest number of rows that are fitted before the others."""
+"""Smallest number of rows in a fit of the first rows alone."""
 _LATEST = 1e6
-"""First row, s, beyond which no run comes to it from the scene's start."""
+"""Latest time of a first row, s, that can be reached by a run from the scene's start."""
 _HARDLY = 1e-3
-"""Part of a body's size by which what was measured moves at least, or its scale is doubted."""
+"""Movement as a fraction of the body's size below which the scale of a measurement is doubted."""
 _FAILED = 1e3
 """Residual, in units of noise, of a run that ends early."""
 
 
 class _Table:
-    """A measurement, and what of it is compared with a run."""
+    """A measurement and the columns of it that are compared with a run."""
 
     def __init__(self, measurement: Measurement, matches: tuple[Match, ...], from_first: bool) -> None:
         self.measurement, self.matches = measurement, matches
@@ -73,7 +73,7 @@ class _Table:
         self.quantities = [each.quantity for each in matches]
 
     def rows(self, part: float) -> int:
-        """How many rows that part of them is, though not too few."""
+        """Return the number of rows in that fraction of the table, at least `_FEWEST` if it has as many."""
         return min(self.time.size, max(_FEWEST, math.ceil(part * self.time.size)))
 
 
@@ -101,11 +101,11 @@ class Problem:
 
     Args:
         scene: a valid scene.
-        tables: what was measured.
+        tables: the measurements.
         vary, match, scale: as in `fit`.
 
     Raises:
-        InputError: a column or a name is not right, or there are too few numbers.
+        InputError: a column or a name is invalid, or there are too few values.
     """
 
     def __init__(
@@ -169,7 +169,7 @@ class Problem:
         return found
 
     def _guessed_scale(self) -> float:
-        """From how far masses move in the scene and in what was measured."""
+        """Estimate the length scale from how far masses move in the scene and in the measurements."""
         ratios = []
         for table in self.tables:
             run = self.runner.run(self.scene, table.time, table.quantities)
@@ -227,12 +227,12 @@ class Problem:
             raise InputError(f"vary: start: {table.measurement.name} has no places of free masses")
         return found
 
-    # --------------------------------------------------------------------- what the unknowns say
+    # --------------------------------------------------------------------- the scene and its runs
     def scene_at(self, u: Floats, t: int = 0) -> Scene:
-        """The scene of some unknowns as measurement t begins.
+        """Return the scene for some unknowns at the start of measurement t.
 
         Raises:
-            SceneError, SettingError: there is no such scene.
+            SceneError, SettingError: the unknowns give no valid scene.
         """
         scene = self.scene
         for each, value in zip(self.unknowns, u, strict=True):
@@ -246,14 +246,14 @@ class Problem:
         return validate(with_start(scene, starts)) if starts else scene
 
     def length_scale(self, u: Floats) -> float:
-        """How many of the scene's lengths are one measured."""
+        """Return the number of the scene's length units per measured length unit."""
         for each, value in zip(self.unknowns, u, strict=True):
             if each.parameter.name == "length_scale":
                 return each.parameter.value(value)
         return self.scale
 
     def fitted(self, u: Floats, part: float = 1.0) -> list[Floats | None]:
-        """(columns, rows) of each measurement what a run of the scene has; None where it ends early."""
+        """Return a run's values for each measurement, (columns, rows); None where the run ends early."""
         return [self._fitted(u, t, table.rows(part)) for t, table in enumerate(self.tables)]
 
     def _fitted(self, u: Floats, t: int, rows: int) -> Floats | None:
@@ -275,9 +275,9 @@ class Problem:
                 run[c] += origin["xy".index(each.quantity.kind.what)] / each.unit.factor
         return run
 
-    # --------------------------------------------------------------------- what lengths say
+    # --------------------------------------------------------------------- lengths
     def doubts(self, u: Floats) -> list[str]:
-        """What may not have been meant: places that hardly move, and one number for parts that differ."""
+        """Return warnings of likely mistakes: masses that hardly move, one number for parts that differ."""
         found, unit, length = [], self.scene.view.unit, self.length_scale(u)
         for table in self.tables:
             for row, match in zip(table.measured, table.matches, strict=True):
@@ -296,7 +296,7 @@ class Problem:
         return found
 
     def lengths_told(self, u: Floats) -> list[str]:
-        """Where the lengths that were measured are not the scene's, and what stands for what then."""
+        """Report where measured lengths differ from the scene's, and what the fitted numbers then mean."""
         found = []
         sought = "gravity" in self.vary
         if any(name.endswith("rest_length") or name == "length_scale" for name in self.vary):
@@ -324,7 +324,7 @@ class Problem:
         return found
 
     def _places(self, u: Floats, t: int, mass: int, values: Floats) -> Floats | None:
-        """(k, 2) places of a mass in the scene's unit, by the columns of a table; None without both."""
+        """Return a mass's positions (k, 2) from a table, in the scene's unit; None without both x and y."""
         table, length = self.tables[t], self.length_scale(u)
         found = []
         for what in ("x", "y"):
@@ -356,7 +356,7 @@ class Problem:
         )
 
     def in_units_of_tables(self, values: Sequence[Estimate], u: Floats) -> list[Estimate]:
-        """Estimates with what they are in the unit of length of what was measured, where that is another."""
+        """Add to estimates their values in the measurements' unit of length, where that differs."""
         length = next((m.unit.length for table in self.tables for m in table.matches if m.scale is None), "")
         own, scale = self.scene.view.unit, self.length_scale(u)
         if not length or scale == 1.0:
@@ -374,13 +374,13 @@ class Problem:
         return found
 
     def _size_of(self, match: Match, length: float) -> float:
-        """What one of a column's unit is in the scene's."""
+        """Return the factor from a column's unit to the scene's."""
         known = match.scale if match.scale is not None else length
         varied = "length_scale" in self.vary and match.unit.power
         return match.unit.factor * (length if varied else known) ** match.unit.power
 
     def residuals(self, u: Floats, noise: Sequence[Floats], part: float = 1.0) -> Floats:
-        """Measured minus fitted over the noise of each column, one after the other without gaps."""
+        """Return measured minus fitted values over each column's noise, concatenated without gaps."""
         left = []
         for t, (table, run) in enumerate(zip(self.tables, self.fitted(u, part), strict=True)):
             measured = table.measured[:, : table.rows(part)]
@@ -395,15 +395,15 @@ class Problem:
 
     @staticmethod
     def _wrapped(degrees: Floats, table: _Table) -> Floats:
-        """Residuals of angles, each in its own unit, within half a turn."""
+        """Wrap residuals of angles, each in its own unit, to within half a turn."""
         factors = np.array(
             [m.unit.factor for m, yes in zip(table.matches, table.is_angle, strict=True) if yes]
         )
         return within_half_a_turn(degrees * factors[:, None]) / factors[:, None]
 
-    # --------------------------------------------------------------------- where to begin
+    # --------------------------------------------------------------------- starting values
     def first(self) -> Floats:
-        """The unknowns as the scene, and the first rows, say them."""
+        """Return the starting values of the unknowns, from the scene and the first rows."""
         u = np.array([p.u(p.start) for p in self.parameters])
         for t, table in enumerate(self.tables):
             self._first_origin(u, t, table)
@@ -425,7 +425,7 @@ class Problem:
                 u[axes[axis]] = self.parameters[axes[axis]].u(float(np.mean(left)))
 
     def _first_start(self, u: Floats, t: int, table: _Table) -> None:
-        """Place and velocity of a curve of second order through the first rows."""
+        """Set positions and velocities at the start from a parabola through the first rows."""
         length = self.length_scale(u)
         for i, each in enumerate(self.unknowns):
             if each.table != t or each.mass < 0:
@@ -447,7 +447,7 @@ class Problem:
 
 
 def _power_of(unit: str, length: str) -> int:
-    """The power of a length in a unit, as 1 in "px/s²", 2 in "kg px²/s²" and -1 in "kg/px"."""
+    """Return the power of a length in a unit: 1 in "px/s²", 2 in "kg px²/s²" and -1 in "kg/px"."""
     above, _, below = unit.partition("/")
     for part, sign in ((above, 1), (below, -1)):
         for word in re.split(r"[\s·]+", part):
@@ -467,11 +467,11 @@ def _refuse_names(vary: list[str]) -> None:
 
 
 class _Runner:
-    """Runs scenes finely enough that differences of runs are smooth.
+    """Runs scenes accurately enough that differences between runs are smooth.
 
     Args:
-        scene: whose method all have.
-        size: of the body.
+        scene: gives the method of all runs.
+        size: the body's size, px.
     """
 
     def __init__(self, scene: Scene, size: float) -> None:
@@ -479,7 +479,7 @@ class _Runner:
         self._adaptive = METHODS[scene.integrator.method].adaptive
 
     def run(self, scene: Scene, time: Floats, quantities: list[Quantity]) -> Floats | None:
-        """(quantities, k) at (k,) times; None where the body runs away before the last."""
+        """Return the quantities at (k,) times, (quantities, k); None if the body diverges before the last."""
         integrator = scene.integrator
         step = integrator.dt
         if self._adaptive:
@@ -514,7 +514,7 @@ class _Runner:
 
 
 def _common_step(time: Floats) -> float | None:
-    """The distance of evenly spaced times, where 0 is one of them; at most 1 s."""
+    """Return the step, at most 1 s, of a uniform grid from 0 that has all times; None if there is none."""
     apart = np.diff(time)
     if not apart.size:
         return None

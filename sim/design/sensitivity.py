@@ -1,14 +1,14 @@
-"""What a number of a scene does to its pose at rest and to its slowest elastic vibration.
+"""Sensitivity of a scene's pose at rest and of its slowest elastic vibration to its numbers.
 
 At rest the accelerations a(q, p) vanish, where q are the positions and p is the logarithm of a number. So the
-pose moves by dq/dp = -J⁻¹ da/dp, where J = da/dq is the matrix that the search for the pose has factorised.
-Forces are linear in stiffnesses and in gravity, so da/dp is a difference of two evaluations, without error.
+pose moves by dq/dp = -J⁻¹ da/dp, where J = da/dq is the matrix factorised in the search for the pose. Forces
+are linear in stiffnesses and in gravity, so da/dp is a difference of two evaluations, without error.
 
 The square of the angular frequency of a vibration w with wᵀ M w = 1 is ω² = -wᵀ M J w. As w is stationary,
-dω²/dp = -wᵀ M (dJ/dp) w, where dJ/dp has two parts: at the same pose, which is the share that the number has
-in the energy of the vibration, and by the move of the pose. Both together are a difference of J w, along
+dω²/dp = -wᵀ M (dJ/dp) w, where dJ/dp has two parts: one at a fixed pose, which is the number's share of the
+energy of the vibration, and one from the motion of the pose. Both together are a difference of J w, along
 q + p dq/dp. Under the tutorial's law J is not symmetric, and vibrations are not orthogonal: there dω²/dp is
-minus the part of (dJ/dp) w that is along w when it is taken apart into all vibrations.
+minus the component of (dJ/dp) w along w in its expansion in all vibrations.
 """
 
 from __future__ import annotations
@@ -32,34 +32,34 @@ from ..settings import SETTINGS, settings_of
 
 Floats = NDArray[np.float64]
 Change = Callable[[Scene, float], Scene]
-"""The scene with a number whose logarithm is greater by so much."""
+"""Returns the scene with the logarithm of a number increased by an amount."""
 
 NUMBERS = ("linear_stiffness", "angular_stiffness", "gravity")
 """The settings whose derivatives `sensitivities` gives."""
 _STEP = 1e-4
-"""Change of a logarithm in a difference."""
+"""Change of a logarithm in finite differences."""
 _SWAY = 1e-3
-"""Amplitude of a vibration in a difference, in typical lengths of a spring."""
+"""Amplitude of a vibration in finite differences, in typical lengths of a spring."""
 _NEAR, _TIMES = 1e-3, 4
-"""How near the shift of an inverse iteration is to the square of the angular frequency, as a part of it; and
-the number of iterations."""
+"""Relative distance of the shift of an inverse iteration from the square of the angular frequency; and the
+number of iterations."""
 _SHIFTS = 1e-100, 1e-6
-"""What is added to the Jacobian, 1/s², so that it has an inverse; the second for what can move freely."""
+"""Shifts of the Jacobian, 1/s², that make it invertible; the second for bodies that can move freely."""
 
 
 class AtRest:
     """A scene at rest.
 
     Args:
-        scene: a valid scene. The search for its pose at rest begins at its pose.
+        scene: a valid scene. The search for its pose at rest starts from its pose.
 
     Attributes:
-        scene: in its pose at rest, see `sim.tuning` for where there is none.
+        scene: in its pose at rest; see `sim.tuning` for scenes without one.
         sag, sag_mass: see `sim.tuning`.
         notes: why there is no sag or no vibration.
-        dampers: what damps it.
+        dampers: its damping.
         found: its slowest vibrations.
-        elastic: which of them is the slowest elastic one; None where there is none.
+        elastic: index of the slowest elastic one; None if there is none.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -81,19 +81,19 @@ class AtRest:
         return None if self.elastic is None else float(self.found.omega[self.elastic])
 
     def sag_of(self, mass: int) -> float | None:
-        """How far a mass is below its place in the scene, px, in the direction of `sim.tuning`'s sag."""
+        """Return how far a mass is below its scene position, px, in the direction of `sim.tuning`'s sag."""
         if self.sag is None or self._down is None or self.scene.pose is None:
             return None
         moved = np.subtract(self.scene.pose.positions[mass], self.scene.masses[mass].position)
         return float(moved @ self._down)
 
     def moves(self, changes: list[Change]) -> list[Floats]:
-        """(n, 2) of each number, how the pose at rest moves with its logarithm, px."""
+        """Return for each number the derivative of the pose at rest by its logarithm, (n, 2), px."""
         return [np.column_stack(self._body.by_mass(move)) for move, _, _ in self._moves(changes)]
 
     def derivatives(self, changes: list[Change], mass: int | None) -> tuple[Floats, Floats]:
-        """(k,) the derivatives of a mass's sag, px, and of the logarithm of the elastic vibration's angular
-        frequency, with respect to the logarithms of some numbers; zero where there is no such thing.
+        """Return (k,) the derivatives of a mass's sag, px, and of the logarithm of the elastic vibration's
+        angular frequency, with respect to the logarithms of some numbers; zero where these do not exist.
         """
         sags, frequencies = np.zeros(len(changes)), np.zeros(len(changes))
         body = self._body
@@ -103,7 +103,7 @@ class AtRest:
             if mass is not None and self._down is not None:
                 sags[k] = np.column_stack(body.by_mass(move))[mass] @ self._down
             if shape is not None and self.omega is not None:
-                # Forces of a change of J, at both ends of the difference.
+                # J times the shape, at both ends of the difference.
                 there = _along(more, body.start + _STEP * move, shape)
                 back = _along(less, body.start - _STEP * move, shape)
                 turns.append((there - back) / (2.0 * _STEP))
@@ -113,9 +113,9 @@ class AtRest:
 
     # --------------------------------------------------------------------- inside
     def _parts_along(self, shape: Floats, vectors: list[Floats]) -> Floats:
-        """(k,) the part of each of some vectors that is along the elastic vibration, as a multiple of it.
+        """Return (k,) the component of each vector along the elastic vibration, as a multiple of it.
 
-        Where vibrations are not orthogonal, an inverse iteration leaves nothing but that part.
+        Where vibrations are not orthogonal, an inverse iteration removes all other components.
         """
         body, own = self._body, shape
         if body.tables.law == TUTORIAL and self.omega is not None:
@@ -136,7 +136,7 @@ class AtRest:
         return np.tile(np.where(inverse > 0.0, 1.0 / np.where(inverse > 0.0, inverse, 1.0), 0.0), 2)
 
     def _shape(self) -> Floats | None:
-        """The elastic vibration, flat, with an amplitude for differences, px."""
+        """Return the elastic vibration, flattened, with an amplitude for finite differences, px."""
         if self.elastic is None:
             return None
         body, shape = self._body, np.zeros(2 * self._body.slots)
@@ -145,7 +145,7 @@ class AtRest:
         return _SWAY * body.typical * shape
 
     def _moves(self, changes: list[Change]) -> list[tuple[Floats, StaticModel, StaticModel]]:
-        """Of each number, the pose's move with its logarithm, and the bodies with a bit more and less."""
+        """Return for each number the pose's derivative, and the bodies with slightly more and less of it."""
         body, found = self._body, []
         bodies = [
             (StaticModel(change(self.scene, _STEP), False), StaticModel(change(self.scene, -_STEP), False))
@@ -167,21 +167,21 @@ class AtRest:
 
 
 def _along(body: StaticModel, at: Floats, shape: Floats) -> Floats:
-    """J times a shape at some positions, 1/s² times its unit, by a difference of fourth order."""
+    """Return J times a shape at some positions, 1/s² times its unit, by a fourth-order difference."""
     one, two = (body.accelerations(at + k * shape) - body.accelerations(at - k * shape) for k in (1.0, 2.0))
     return (8.0 * one - two) / 12.0
 
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """What a number does.
+    """The effect of a number.
 
     Attributes:
         key: of its setting, as in "angular_stiffness".
-        sag: px by which the mass that sinks most sinks farther, over the relative change of the number: 1 %
-            more makes a hundredth of it. None where nothing sinks, see `sim.tuning`.
-        frequency: relative change of the frequency of the slowest elastic vibration over that of the number;
-            None where there is none.
+        sag: px by which the mass that sinks most sinks farther, per relative change of the number: an
+            increase of 1 % causes a hundredth of it. None if nothing sinks, see `sim.tuning`.
+        frequency: relative change of the frequency of the slowest elastic vibration per relative change of
+            the number; None if there is none.
     """
 
     key: str
@@ -190,11 +190,11 @@ class Sensitivity:
 
 
 def sensitivities(scene: Scene) -> tuple[Sensitivity, ...]:
-    """What the stiffness of springs, that of joints, and gravity do to the pose at rest and to the slowest
-    elastic vibration, as derivatives; see the module for how.
+    """Return the effects of the stiffness of springs, that of joints, and gravity on the pose at rest and the
+    slowest elastic vibration, as derivatives; see the module for the method.
 
     Args:
-        scene: a valid scene. Those of its numbers that are zero, or have no effect, are left out.
+        scene: a valid scene. Numbers that are zero or have no effect are left out.
 
     Raises:
         SceneError: the scene is not valid.
@@ -203,7 +203,7 @@ def sensitivities(scene: Scene) -> tuple[Sensitivity, ...]:
 
 
 def sensitivities_at(rest: AtRest) -> tuple[Sensitivity, ...]:
-    """As `sensitivities`, of a scene at rest."""
+    """As `sensitivities`, for a scene at rest."""
     applying = {setting.key for setting in settings_of(rest.scene)}
     keys = [key for key in NUMBERS if key in applying and SETTINGS[key].read(rest.scene)]
     if rest.sag is None and rest.elastic is None:
@@ -218,12 +218,12 @@ def sensitivities_at(rest: AtRest) -> tuple[Sensitivity, ...]:
 
 
 def by_setting(key: str) -> Change:
-    """A change of the setting of that name."""
+    """Return a change of the setting of that name."""
     return lambda scene, step: scaled(scene, key, math.exp(step))
 
 
 def scaled(scene: Scene, key: str, factor: float) -> Scene:
-    """The scene with the setting of that name multiplied; the recipes of a scene stay recipes.
+    """Return the scene with the setting of that name multiplied; the recipes of a scene stay recipes.
 
     Raises:
         SceneError: it leaves its range.

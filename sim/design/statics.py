@@ -1,20 +1,20 @@
 """The balance of a body in a given pose, with the forces of springs and joints as unknowns.
 
-In a pose that stays, the forces on all free masses are linear in the tension T of each spring and the torque
-G of each joint, under every force law. With the vector L = b - a of a spring as a complex number,
+In a static pose, the forces on all free masses are linear in the tension T of each spring and the torque G of
+each joint, under every force law. With the vector L = b - a of a spring as a complex number,
 
-- a spring pulls with T L / |L| on its mass a, and with the opposite on b;
-- a joint of the springs A and B pulls with i G A / |A|² on the b end of A and with the opposite on its a end,
-  and with -i G B / |B|² on the b end of B and with the opposite on its a end. What a joint pulls along its
-  springs is a part of their T, see `sim.forces.joints`;
-- a wall pushes a mass that touches it with P n, where n is its normal and P is not negative, and friction
-  that holds, see `Wall`, with F i n.
+- a spring pulls with T L / |L| on its mass a, and with the opposite force on b;
+- a joint of the springs A and B acts with i G A / |A|² on the b end of A and with the opposite force on its a
+  end, and with -i G B / |B|² on the b end of B and with the opposite force on its a end. The forces of a
+  joint along its springs are included in their T, see `sim.forces.joints`;
+- a wall pushes a mass that touches it with P n, where n is its normal and P is not negative, and static
+  friction, see `Wall`, acts with F i n.
 
-A balance is B x = -f, with a column of B for each unknown and all other forces in f. Of its solutions, the
-one with the smallest sum of T² / k + G² / (K |A||B|) is x = D Bᵀ l with (B D Bᵀ) l = -f, where D has k and
-K |A||B| on its diagonal: it deforms springs and joints least. B D Bᵀ is the stiffness matrix of the body
-without prestress. (Hsu et al. 2022, "A general two-stage initialization for sag-free deformable simulations",
-solve the same for other force laws by descent.)
+The balance is B x = -f, with a column of B for each unknown and all other forces in f. The solution with the
+smallest sum of T² / k + G² / (K |A||B|) is x = D Bᵀ l with (B D Bᵀ) l = -f, where D has k and K |A||B| on its
+diagonal: it deforms springs and joints least. B D Bᵀ is the stiffness matrix of the body without prestress.
+(Hsu et al. 2022, "A general two-stage initialization for sag-free deformable simulations", solve the same
+problem for other force laws by descent.)
 """
 
 from __future__ import annotations
@@ -45,29 +45,29 @@ Bools = NDArray[np.bool_]
 Vectors = NDArray[np.complex128]
 
 MAX_BENT = math.radians(60.0)
-"""Largest deflection of a joint that holds a shape. Under the laws with a sine it gets softer the more it is
-bent, and at 90 degrees it bears no more."""
+"""Largest deflection of a joint, radians. Under the laws with a sine it gets softer the more it is bent, and
+beyond 90 degrees its torque does not increase."""
 _SHIFT = 1e-13
-"""What is added to the diagonal of B D Bᵀ, as a part of it, so that mechanisms do no harm."""
+"""Shift of the diagonal of B D Bᵀ, relative to it, so that mechanisms do no harm."""
 _PLAIN_SHIFT = 1e-7
-"""The same, where the mechanism itself is looked for."""
+"""The same, where the mechanism itself is sought."""
 _REFINEMENTS = 12
 """Largest number of iterative refinements."""
 BALANCED = 1e-10
-"""Force that may be left at a mass, as a part of the largest load on any, where all is in balance."""
+"""Largest residual force on a mass in balance, as a fraction of the largest load on any mass."""
 _EPSILON = 8.0 * float(np.finfo(float).eps)
-"""Rounding error of the force of an unknown, as a part of it."""
+"""Relative rounding error of the force of an unknown."""
 _BISECTIONS = 54
-"""By which an angle of up to 90 degrees is known to its rounding."""
+"""Number of bisections that give an angle of up to 90 degrees to rounding error."""
 _NONE = 1e-20
-"""What stands for nothing on the diagonal of the augmented system, so that it has an inverse."""
+"""Replacement for zeros on the diagonal of the augmented system, so that it has an inverse."""
 _EXACT = 1e-13
-"""Force that is left, relative to the largest, at which refinement ends."""
+"""Residual force, relative to the largest load, at which refinement ends."""
 
 
 class Touch(NamedTuple):
-    """What walls do to masses that touch them, or are in them, each along a direction: the mass, the wall,
-    the direction, and whether that is along the wall, where friction holds, and not its normal."""
+    """Unknown forces of walls on masses that touch them or are in them: the mass, the wall, the direction,
+    and whether that is along the wall, as for friction, and not along its normal."""
 
     mass: Indices
     wall: Indices
@@ -76,11 +76,11 @@ class Touch(NamedTuple):
 
     @classmethod
     def none(cls) -> Touch:
-        """Nothing touches anything."""
+        """Return an empty `Touch`: nothing touches a wall."""
         return cls(np.zeros(0, np.int64), np.zeros(0, np.int64), np.zeros(0, complex), np.zeros(0, bool))
 
     def without(self, some: Bools) -> Touch:
-        """All but some of them, and but what holds these along the walls."""
+        """Drop some of them, together with the friction between the same masses and walls."""
         gone = np.isin(self.mass + 1j * self.wall, self.mass[some] + 1j * self.wall[some])
         return Touch(self.mass[~gone], self.wall[~gone], self.way[~gone], self.along[~gone])
 
@@ -91,20 +91,20 @@ class Statics:
     Args:
         body: the tables of a valid scene; their masses are at rest in its pose.
         at: (n,) the pose, px, in the order of the scene's masses.
-        springs, joints: which springs and joints of the scene are unknowns. What the others do is in f.
-        touching: the masses that walls push with unknown forces; what walls do to others is in f.
+        springs, joints: which springs and joints of the scene are unknowns. Forces of the others are in f.
+        touching: the masses on which walls act with unknown forces; forces of walls on others are in f.
 
     Attributes:
         at: (n,) the pose, px.
         free: (n,) whether each mass is free.
-        springs, joints: whether each spring and joint of the scene is an unknown: not where it has no
+        springs, joints: whether each spring and joint of the scene is an unknown: false if it has no
             stiffness or is broken.
         stiffness: (m,) D of all unknowns: of springs, of joints, and of touching masses.
-        most: (m,) the most that each can bear: a spring what would shorten its rest length to nothing, a
-            joint what bends it by `MAX_BENT`. Infinite for touching masses.
+        most: (m,) the largest load on each: for a spring the tension that would need a rest length of zero,
+            for a joint the torque that bends it by `MAX_BENT`. Infinite for touching masses.
         is_spring: (m,) whether each is a spring.
         load: (2 f,) f, kg px/s²: x and y for each free mass, in the order in which they are eliminated.
-        scale: the largest of `load` and of the weights in size.
+        scale: the largest magnitude in `load` and among the weights.
     """
 
     def __init__(
@@ -142,15 +142,15 @@ class Statics:
 
     @property
     def grips(self) -> Grips | None:
-        """By which friction holds in the pose."""
+        """Grips of static friction in the pose."""
         q = np.zeros(2 * self._body.slots)
         place = self._body.system.mass_index
         q[place], q[self._body.slots + place] = self.at.real, self.at.imag
         return self._body.grips(q)
 
     def _stiffness_of_walls(self) -> Floats:
-        """(t,) how steep the push of a wall is where it bears a touching mass's own weight, and what holds it
-        along the wall, kg/s²."""
+        """Return (t,) the stiffness of a wall's push where it supports a touching mass's own weight, or of
+        the friction that holds it along the wall, kg/s²."""
         touch, scene = self._touching, self._body.scene
         weights = np.array([scene.masses[i].mass for i in touch.mass])
         rows = self._body.tables.environment.walls.rows[touch.wall]
@@ -159,7 +159,7 @@ class Statics:
         return weights * np.where(touch.along, held, push)
 
     def _known(self) -> Vectors:
-        """(n,) all forces but those of the unknowns, kg px/s²."""
+        """Return (n,) all forces except those of the unknowns, kg px/s²."""
         body, state, place = self._body, self._body.state, self._body.system.mass_index
         x = np.zeros(body.slots, complex)
         x[place] = self.at
@@ -174,7 +174,7 @@ class Statics:
         weights = np.array([mass.mass for mass in body.scene.masses])
         known = force[place] + weights * complex(*body.scene.gravity)
         known += np.array([complex(*(mass.force or (0.0, 0.0))) for mass in body.scene.masses])
-        # What touches a wall is an unknown instead.
+        # Forces of walls on touching masses are unknowns instead.
         for row, forces in enumerate(WallsReference(body.tables, state).force_of_each(x, still)):
             here = np.unique(self._touching.mass[self._touching.wall == row])
             known[here] -= forces[place][here]
@@ -209,11 +209,11 @@ class Statics:
         return coo_array((values, (rows, columns)), shape).tocsr()
 
     def solve(self, stiffness: Floats, target: Floats | float = 0.0) -> Floats | None:
-        """The unknowns in balance that are closest to a target, (m,), or None where there is no balance.
+        """Return the unknowns in balance that are closest to a target, (m,), or None if there is no balance.
 
         Args:
             stiffness: (m,) D; unknowns with zero stay at the target.
-            target: (m,) what they should be.
+            target: (m,) the desired values.
         """
         start = np.zeros(self.stiffness.size) + target
         if self.is_balanced(start) or not stiffness.any():
@@ -229,7 +229,7 @@ class Statics:
         return x if self.is_balanced(x) else None
 
     def _refined(self, x: Floats, correction: Callable[[Floats], Floats]) -> Floats:
-        """Iterative refinement: unknowns corrected for the forces that are left, as long as these shrink."""
+        """Refine iteratively: correct the unknowns for the residual forces, as long as these shrink."""
         worst = np.inf
         for _ in range(_REFINEMENTS):
             left = self.load + self.matrix @ x
@@ -241,13 +241,13 @@ class Statics:
         return x
 
     def is_balanced(self, x: Floats) -> bool:
-        """Whether unknowns balance the load: to `BALANCED` of the largest, or to their rounding errors."""
+        """Return whether unknowns balance the load, to `BALANCED` of the largest or to rounding error."""
         left = np.abs(self.load + self.matrix @ x)
         return bool((left <= BALANCED * self.scale + _EPSILON * (abs(self.matrix) @ np.abs(x))).all())
 
     def _augmented(self, stiffness: Floats) -> Callable[[Floats], Floats]:
-        """Corrections by the system that has unknowns and multipliers, whose condition number is the root of
-        that of B D Bᵀ: for long chains.
+        """Return corrections by the system of unknowns and multipliers, for long chains: its condition number
+        is the square root of that of B D Bᵀ.
 
             [ I   Aᵀ ] [ y ]   [  0 ]
             [ A   0  ] [ l ] = [ -f ]   with A = B sqrt(D) and x = sqrt(D) y.
@@ -265,12 +265,12 @@ class Statics:
         return lambda left: root * factors.solve(np.concatenate((zeros, -left / size)))[: root.size]
 
     def _factors(self, stiffness: Floats, shift: float, evenly: bool = False) -> tuple[SuperLU, csr_array]:
-        """The factors of B D Bᵀ, and D Bᵀ.
+        """Return the factorisation of B D Bᵀ, and D Bᵀ.
 
         Args:
             stiffness: (m,) D.
-            shift: what is added to the diagonal, as a part of it.
-            evenly: as a part of its largest element instead.
+            shift: added to the diagonal, relative to each element.
+            evenly: makes it relative to the largest element instead.
         """
         from scipy.sparse import diags_array
         from scipy.sparse.linalg import splu
@@ -285,10 +285,10 @@ class Statics:
         return splu(shifted, permc_spec="NATURAL", diag_pivot_thresh=0.0, options=options), weighted
 
     def mechanism(self) -> Vectors:
-        """(n,) the part of the load that no unknown can bear, kg px/s²: a motion that nothing resists."""
+        """Return (n,) the part of the load that no unknown can balance, kg px/s²: an unresisted motion."""
         left = self.load.copy()
         if self.stiffness.any():
-            # With the same shift everywhere, what is left is orthogonal to all that can be borne.
+            # With the same shift everywhere, the remainder is orthogonal to all that can be balanced.
             factors, weighted = self._factors(self.stiffness, _PLAIN_SHIFT, evenly=True)
             for _ in range(_REFINEMENTS):
                 left = left - self.matrix @ (weighted @ factors.solve(left))
@@ -297,12 +297,12 @@ class Statics:
         return motion
 
     def share(self, x: Floats) -> Floats:
-        """(m,) the part of what each unknown can bear; springs bear any pressure."""
+        """Return (m,) the load on each unknown over its largest; compression of springs is not limited."""
         return np.where(self.is_spring, x, np.abs(x)) / self.most
 
     def most_even(self) -> Floats | None:
-        """(m,) the unknowns in balance whose largest `share` is least, by a linear program; None if it
-        finds none."""
+        """Return (m,) the unknowns in balance with the smallest maximum `share`, by a linear program; None
+        if it finds none."""
         from scipy.optimize import linprog
         from scipy.sparse import csr_array, diags_array, eye_array, hstack, vstack
 
@@ -318,20 +318,20 @@ class Statics:
             A_eq=balance, b_eq=-self.load / self.scale,
             bounds=[(None, None)] * count + [(0.0, None)], method="highs",
         )  # fmt: skip
-        # Its solution is exact to some 1e-7 only.
+        # Its solution is accurate to about 1e-7 only.
         return self.solve(self.stiffness, result.x[:-1] * self.most) if result.success else None
 
     def rest(self, x: Floats, stiffening: float) -> tuple[Floats, Floats]:
-        """The rest length of each spring, px, and the rest angle of each joint, degrees; NaN where it is none
-        of the unknowns.
+        """Return the rest length of each spring, px, and the rest angle of each joint, degrees; NaN for those
+        that are not unknowns.
 
         With d = asin(G / (K |A||B|)), or without the arcsine under the angle law, the rest angle is V - d,
         where V is the angle from A to B. Under a law with an energy the joint pulls on its spring A with its
         energy over |A|; what is left of T gives the rest length |A| - T / k.
 
         Args:
-            x: (m,) what they bear.
-            stiffening: a factor of their stiffness.
+            x: (m,) the unknowns.
+            stiffening: factor of their stiffness.
         """
         springs = int(self.is_spring.sum())
         tension, bend = np.full(self.springs.size, np.nan), np.full(self.joints.size, np.nan)
@@ -349,12 +349,12 @@ class Statics:
         return self._lengths - tension / stiff, np.degrees(angle)
 
     def _of_law(self, off: Floats) -> tuple[Floats, Floats]:
-        """The torque and the energy of joints for which K |A||B| is one, bent by some angles, radians."""
+        """Return the torque and energy of joints with K |A||B| = 1 that are bent by some angles, radians."""
         return self._law(np.exp(1j * off))
 
     def _deflection(self, bend: Floats) -> Floats:
-        """The angles, radians, at which joints have some torques, as parts of K |A||B|: by bisection between
-        -90 and 90 degrees, where the torque of every law grows."""
+        """Return the angles, radians, at which joints have some torques, as fractions of K |A||B|: by
+        bisection between -90 and 90 degrees, where the torque of every law increases."""
         low, high = np.full(bend.shape, -0.5 * math.pi), np.full(bend.shape, 0.5 * math.pi)
         for _ in range(_BISECTIONS):
             middle = 0.5 * (low + high)
@@ -363,14 +363,14 @@ class Statics:
         return np.where(np.isfinite(bend), 0.5 * (low + high), bend)
 
     def name_of(self, unknown: int) -> tuple[str, int]:
-        """What an unknown is called: "spring" or "joint", and its index in the scene."""
+        """Return the kind of an unknown, "spring" or "joint", and its index in the scene."""
         springs = np.flatnonzero(self.springs)
         if unknown < springs.size:
             return "spring", int(springs[unknown])
         return "joint", int(np.flatnonzero(self.joints)[unknown - springs.size])
 
     def connected(self, mass: int) -> Bools:
-        """(n,) whether springs and joints that are unknowns connect each mass with a given one."""
+        """Return (n,) whether springs and joints with any stiffness connect each mass with a given one."""
         from scipy.sparse import coo_matrix
         from scipy.sparse.csgraph import connected_components
 

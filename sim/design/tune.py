@@ -1,4 +1,4 @@
-"""Scenes with other stiffnesses and dampings: stable at a time step, or critically damped."""
+"""Change stiffness and damping so that a scene is stable at a time step, or critically damped."""
 
 from __future__ import annotations
 
@@ -31,26 +31,26 @@ from ..scene.validate import number_range, validate
 from ..solve.registry import METHODS
 
 _MARGIN = 1.01
-"""By how much the limit is to exceed the time step: it is estimated within a per cent."""
+"""Factor by which the stability limit must exceed the time step: its estimate is accurate to 1 %."""
 _SOFTEST = 1e-6
-"""The smallest cap that is tried, see `make_stable`."""
+"""Smallest cap tried, see `make_stable`."""
 _CLOSE = 1.002
 """Ratio of caps at which the search ends."""
 _SECONDS, _MAX_STEPS = 1.0, 2000
-"""How long it is run, s and steps."""
+"""Longest test run, s and steps."""
 _LOWER = 0.8
-"""Factor of the cap after a run that did not end well."""
+"""Factor of the cap after a test run that diverges."""
 _HALVINGS = 12
-"""Number of halvings in the search for the largest damping that a time step bears."""
+"""Number of bisections in the search for the largest damping that is stable at a time step."""
 _MIN_HOLD = 1e-6
-"""Part of a vibration's stiffness that is of springs or joints, below which they do not hold it."""
+"""Share of springs or joints in a vibration's stiffness below which they cannot damp it."""
 
 
 P = TypeVar("P", LinearSpring, AngularSpring)
 
 
 def _with_numbers(scene: Scene, numbers: Numbers) -> Scene:
-    """The scene with these numbers; parts whose numbers are the same stay the same objects."""
+    """Return the scene with these numbers; parts whose numbers do not change stay the same objects."""
     scene = of_parts(scene)
     return replace(
         scene,
@@ -67,17 +67,17 @@ def _tuned(parts: tuple[P, ...], stiffness: Floats, damping: Floats) -> tuple[P,
 
 
 def make_stable(scene: Scene, dt: float | None = None, method: Method | None = None) -> Scene:
-    """The scene with the least change that makes it stable at a time step.
+    """Return the scene with the smallest change that makes it stable at a time step.
 
-    The least change is one common cap, as high as can be. It is a cap of what each spring and each joint asks
-    of the time step by itself: dt² stiffness / mu, and w dt damping / mu, where mu is its reduced mass, see
-    `sim.tuning`, and w is 2 for symplectic Euler and 4 for velocity Verlet. Only what is above the cap is
-    lowered to it, stiffness and damping each by itself; all other numbers, and the parts that they belong to,
-    stay as they are. The cap is the highest at which the limit of `sim.motion.stability` at the scene's start
-    is a per cent above the time step, within 0.2 %.
+    The smallest change is one common cap, as high as possible, on the demand that each spring and joint by
+    itself makes on the time step: dt² stiffness / mu, and w dt damping / mu, where mu is its reduced mass,
+    see `sim.tuning`, and w is 2 for symplectic Euler and 4 for velocity Verlet. Stiffness and damping above
+    the cap are lowered to it independently of each other; all other numbers and parts stay unchanged. The cap
+    is the highest at which the limit of `sim.motion.stability` at the scene's start is 1 % above the time
+    step, to within 0.2 %.
 
-    Then the body is run for a second, or 2000 steps if those are fewer. Large motions may run away where
-    small ones do not; then the cap is lowered by a fifth until the body does not.
+    The body is then run for 1 s or 2000 steps, whichever is shorter. Large motions may diverge where small
+    ones do not; the cap is then lowered by a fifth until the body stays stable.
 
     Args:
         scene: a valid scene. Its pose, if it has one, is its start.
@@ -85,14 +85,14 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
         method: None for the scene's own.
 
     Returns:
-        The scene with this time step and method. It is the scene itself if these are its own and it is
-        stable, and nothing but they are changed where the method has no limit. A body that a recipe made
-        becomes one of its parts.
+        The scene with this time step and method. It is the same object if these are its own and it is stable.
+        Where the method has no limit, nothing else is changed. A body made by a recipe is replaced by its
+        parts.
 
     Raises:
         SceneError: the scene, the time step or the method is not valid.
-        InputError: what limits the time step are not springs and joints, or the body runs away even with soft
-            ones.
+        InputError: something other than springs and joints limits the time step, or the body diverges even
+            with soft ones.
     """
     integrator = scene.integrator
     if dt is not None and dt != integrator.dt:
@@ -144,28 +144,29 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
 
 
 def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = None) -> Scene:
-    """The scene with a vibration of the whole body, or a spring by itself, critically damped.
+    """Return the scene with a vibration of the whole body, or a single spring, critically damped.
 
-    For a spring by itself its damping becomes 2 sqrt(stiffness mu), where mu is its reduced mass.
+    The damping of a single spring becomes 2 sqrt(stiffness mu), where mu is its reduced mass.
 
     For a vibration, either the springs or the joints get damping in proportion to their stiffness, whichever
-    of the two then damp it more, so that other dampings can stay and no more parts than necessary are damped
-    strongly. The damping ratio in `sim.tuning` becomes 1. All faster vibrations are damped beyond that, which
-    lowers the largest stable time step of explicit methods.
+    then damp it more, so that other dampings can stay and no more parts than necessary are heavily damped.
+    The damping ratio in `sim.tuning` becomes 1. All faster vibrations become overdamped, which lowers the
+    largest stable time step of explicit methods.
 
     Args:
         scene: a valid scene.
-        mode: 0 for the slowest vibration about the pose at rest, and so on; None for the slowest that springs
-            and joints hold by more than half, so that it is no swing under gravity, which they hardly damp.
+        mode: index of the vibration about the pose at rest, 0 for the slowest; None for the slowest with more
+            than half of its stiffness from springs and joints. This excludes swings under gravity, which they
+            hardly damp.
         spring: index of a linear spring, instead of a vibration.
 
     Returns:
-        The scene. A body that a recipe made becomes one of its parts.
+        The scene. A body made by a recipe is replaced by its parts.
 
     Raises:
         SceneError: the scene is not valid.
-        InputError: there is no such spring or vibration, the body has more than 1000 masses, or no damping of
-            springs and joints within its range does it.
+        InputError: there is no such spring or vibration, the body has more than 1000 masses, or the damping
+            needed is out of range.
     """
     validate(scene)
     if spring is not None:
@@ -185,7 +186,7 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
 
 
 def _damped(own: Numbers, dampers: Dampers, omega: float, shape: Floats, hold: Hold) -> Numbers:
-    """The numbers with which the damping ratio of a vibration is 1."""
+    """Return the numbers with which the damping ratio of a vibration is 1."""
     left = 1.0 - hold.around
     if not left > 0.0:
         raise InputError("damp_vibration: the vibration is damped critically without springs and joints")
@@ -193,7 +194,7 @@ def _damped(own: Numbers, dampers: Dampers, omega: float, shape: Floats, hold: H
     springs, joints = own.damping, own.joint_damping
     other = dampers.ratio(omega, shape, springs) if by_joints else dampers.ratio(omega, shape, None, joints)
     other -= hold.around
-    # If the other kind alone is too much, it is lowered, and this one gets none.
+    # If the other kind alone damps too much, it is lowered and this one gets none.
     lower, rest = min(1.0, left / other) if other > 0.0 else 1.0, max(0.0, left - other)
     if by_joints:
         springs, joints = lower * springs, rest / hold.joints * (2.0 / omega) * own.joint_stiffness
@@ -203,7 +204,7 @@ def _damped(own: Numbers, dampers: Dampers, omega: float, shape: Floats, hold: H
 
 
 def damp_springs(scene: Scene, springs: Collection[int]) -> Edit:
-    """An edit after which some springs, each by itself, are critically damped, see `damp_vibration`.
+    """Return an edit that critically damps each of some springs by itself, see `damp_vibration`.
 
     Raises:
         InputError: as `damp_vibration`.
@@ -212,11 +213,11 @@ def damp_springs(scene: Scene, springs: Collection[int]) -> Edit:
 
 
 def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
-    """The scene with its dampings as far on the way to those of another one as its own time step bears.
+    """Return the scene with its dampings changed towards those of another as far as it stays stable.
 
     Args:
         scene: a valid scene.
-        damped: the same with other dampings.
+        damped: the same scene with other dampings.
 
     Raises:
         InputError: the time step is too long for the scene as it is.
@@ -244,16 +245,16 @@ def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
 
 
 def with_numbers_of(tuned: Scene, origin: Scene, scene: Scene, label: str) -> Edit:
-    """An edit of a scene that gives it the stiffnesses and dampings that another one got.
+    """Return an edit that gives a scene the stiffnesses and dampings of a tuned one.
 
     Args:
-        tuned: the other one.
-        origin: what it was made of: the scene, at another moment.
-        scene: the scene.
-        label: what was done.
+        tuned: the tuned scene.
+        origin: the scene from which it was made: `scene` at another moment.
+        scene: the scene to edit.
+        label: describes the edit.
 
     Raises:
-        SettingError: the scene has other parts, or other stiffnesses and dampings, than then.
+        SettingError: the parts, stiffnesses or dampings of `scene` differ from those of `origin`.
     """
     before, now = Numbers.of(origin), Numbers.of(scene)
     same = same_topology(origin, scene) and all(map(np.array_equal, before, now))
@@ -286,7 +287,7 @@ def _allowed(damping: Floats) -> Floats:
 
 
 def is_limited(method: Method) -> bool:
-    """Whether springs and joints limit the time step of a method."""
+    """Return whether springs and joints limit the time step of a method."""
     return METHODS[method].limit is not None and method != "stable_spring"
 
 
@@ -300,7 +301,7 @@ def _cause(scene: Scene) -> Cause | None:
 
 
 def _runs_away(scene: Scene) -> Divergence | None:
-    """Why a body runs away within a while; None if it does not."""
+    """Return why a body diverges in a test run; None if it does not."""
     simulation = Simulation(scene)
     simulation.step(min(math.ceil(_SECONDS / scene.integrator.dt), _MAX_STEPS))
     return simulation.divergence

@@ -1,4 +1,4 @@
-"""Units of what was measured, and what they are in a scene."""
+"""Units of measured quantities, and their conversion to a scene's units."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..errors import InputError
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3}
-"""Units of length that are known in metres."""
+"""Metres in each unit of length of known size."""
 _CYRILLIC = {
     "м": "m",
     "см": "cm",
@@ -23,7 +23,7 @@ _CYRILLIC = {
     "рад": "rad",
     "с": "s",
 }
-"""Units in Cyrillic letters."""
+"""Units written in Cyrillic letters."""
 _ANGLES = {"°": 1.0, "deg": 1.0, "degree": 1.0, "degrees": 1.0, "rad": 57.29577951308232}
 _FORCES = {"N": 1.0, "mN": 1e-3, "kN": 1e3}
 _ENERGIES = {"J": 1.0, "mJ": 1e-3, "N m": 1.0, "Nm": 1.0}
@@ -33,13 +33,13 @@ _SIGNS = str.maketrans({"²": "^2", "³": "^3", "·": " ", "*": " ", "º": "°",
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit of what was measured.
+    """A unit of a measured quantity.
 
     Attributes:
-        dimension: as the unit of a quantity with "{unit}" for the length, as in "{unit}/s".
-        factor: what one of it is in the same with metres, degrees and seconds, or with the `length` below.
-        length: unit of the lengths in it; "m" for all that are known in metres, empty without any.
-        power: of the length.
+        dimension: written as a unit with "{unit}" for the length, as in "{unit}/s".
+        factor: its size in the same unit with metres, degrees and seconds, or with the `length` below.
+        length: the unit of length in it; "m" for all of known size in metres, empty if it has none.
+        power: the power of the length.
     """
 
     dimension: str
@@ -70,20 +70,20 @@ _UNITS = _all_units()
 
 
 def is_unit(text: str) -> bool:
-    """Whether a text is a unit that is known by itself."""
+    """Return whether a text is a unit that is known by itself."""
     return _normal(text) in _UNITS or text in ("px", "px/s", "kg")
 
 
 def unit_of(text: str, dimension: str, scene_length: str) -> Unit:
-    """A unit by its text.
+    """Return the unit that a text names.
 
     Args:
-        text: as a header has it; empty for the scene's own.
-        dimension: of the quantity that it is to be of, see `sim.motion.quantities.Kind.unit`.
+        text: from a header; empty for the scene's own unit.
+        dimension: of the expected quantity, see `sim.motion.quantities.Kind.unit`.
         scene_length: the scene's unit of length, which may be any word.
 
     Raises:
-        InputError: it is not one of the quantity.
+        InputError: it is not a unit of that quantity.
     """
     own = Unit(dimension, 1.0, scene_length if "{unit}" in dimension else "", _power(dimension))
     if not text:
@@ -103,7 +103,7 @@ def unit_of(text: str, dimension: str, scene_length: str) -> Unit:
 
 
 def known_scale(unit: Unit, scene_length: str) -> float | None:
-    """How many of a scene's lengths one of a unit's `length` is; None where that is not known."""
+    """Return the number of a scene's length units in a unit's `length`; None if unknown."""
     if unit.power == 0 or unit.length == scene_length:
         return 1.0
     if unit.length == "m" and scene_length in _METRES:
@@ -126,5 +126,5 @@ def _normal(text: str) -> str:
 
 
 def within_half_a_turn(degrees: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The same angles, within -180..180°."""
+    """Wrap angles to -180..180°."""
     return (degrees + 180.0) % 360.0 - 180.0

@@ -1,12 +1,12 @@
-"""Stiffnesses and dampings with which a body does what one wants to see.
+"""Stiffnesses and dampings with which a body behaves as wished.
 
-The unknowns are the logarithms of two factors, of the stiffness of all springs and of all joints, and, where
-those do not do, of a taper from root to tip. The residuals are the logarithms of what is reached over what is
-wished; of all solutions the smallest is taken, by a little weight on the unknowns themselves. Each trial
-comes to rest anew and has its slowest vibrations found anew; the derivatives are those of `sensitivity`.
+The unknowns are the logarithms of two factors, for the stiffness of all springs and of all joints, and, where
+those are not enough, a taper from root to tip. The residuals are the logarithms of the reached over the
+wished values; a small weight on the unknowns themselves selects the smallest of all solutions. Each trial
+finds the pose at rest and the slowest vibrations anew; the derivatives are those of `sensitivity`.
 
-Neither the pose at rest nor a frequency without damping depends on damping, so in each trial the damping that
-calms the body in time is found for itself, see `sim.analysis.decay`.
+Neither the pose at rest nor an undamped frequency depends on damping, so each trial finds the damping that
+calms the body in time separately, see `sim.analysis.decay`.
 """
 
 from __future__ import annotations
@@ -37,49 +37,49 @@ from .keep_shape import DesignError
 from .sensitivity import AtRest, Change, Floats, by_setting, scaled
 
 REACHED = 5e-3
-"""Difference between what is reached and what is wished, relative, up to which a wish is fulfilled."""
+"""Largest relative deviation of a reached from a wished value at which the wish counts as fulfilled."""
 _MARGIN = 1.01
-"""Factor by which the stability limit is to exceed the time step, as in `sim.design.tune`."""
+"""Factor by which the stability limit must exceed the time step, as in `sim.design.tune`."""
 _LEAST = 1e-2
-"""Weight of the unknowns beside the residuals, so that of all solutions the least change is found, and
-nothing is changed greatly for nearly nothing."""
+"""Weight of the unknowns relative to the residuals, which selects the solution with the smallest change and
+prevents large changes for hardly any gain."""
 _CLOSE, _EXACT = 0.05, 2e-4
-"""Residuals from which on the weight is zero, and at which the search ends."""
+"""Residuals below which the weight is zero, and below which the search ends."""
 _GAIN, _FINE = 2e-3, 5e-3
-"""Part of the squares that a trial takes away, and change of the unknowns in one that is worse, below which
-the search ends."""
+"""Relative decrease of the sum of squares in a trial, and change of the unknowns in a worse trial, below
+which the search ends."""
 _STIFFER, _CAUTIOUS = 4.0, 1e-5
-"""Factor of Levenberg's damping after a trial that is worse, and its smallest value, with which nothing
-changes that has no effect."""
+"""Factor of Levenberg's damping after a worse trial, and its smallest value, which keeps unknowns that have
+no effect unchanged."""
 _MOST = 1e5
-"""Largest factor, and one over the smallest: what takes more is another body."""
+"""Largest factor, and the reciprocal of the smallest: larger changes would make it another body."""
 _STEEPEST = math.log(30.0)
-"""Largest logarithm of the ratio of stiffness at the root to that at the tip by a taper."""
+"""Largest logarithm of the ratio of stiffness factors, root to tip, in a taper."""
 _LOST = 20.0
-"""Residual of a trial in which there is nothing to see."""
+"""Residual of a trial that fails."""
 _TRIALS = 30
 """Largest number of trials of a search."""
 _STARTS, _RESTARTS = (0.02, 0.2, 1.0, 5.0, 50.0), 3
 """Factors of a grid that is tried where the descent from the scene's own numbers fails, and the number of
-its best points at which further descents start. By experiment (168 frequencies that other factors give):
+its best points from which further descents start. By experiment (168 frequencies that other factors give):
 without the grid 9 are not found, with two starts 2, with three none."""
 _STEP = 0.05
-"""Change of a logarithm in differences of stability limits, which are known within a per cent."""
+"""Change of a logarithm in finite differences of stability limits, which are accurate to 1 %."""
 _LESS = (0.02, 0.05, 0.1)
-"""By how much a design that bears nearly the time step that is wished is lowered, in logarithms."""
+"""Decreases, in logarithms, that are tried on a design that is nearly stable at the wished time step."""
 _SHALLOW = 0.1
-"""Part of the sag that is wished below which its logarithm is continued by a straight line."""
+"""Fraction of the wished sag below which its logarithm is continued by a straight line."""
 _WAYS = 12
-"""How many dampings are looked at, from none to the critical one, before one is found exactly."""
+"""Number of dampings sampled, from none to critical, before one is found exactly."""
 
 _DAMPINGS = "linear_damping", "angular_damping"
-"""The settings of all springs' damping, and of all joints'."""
+"""Keys of the settings for the damping of springs and of joints."""
 
 P = TypeVar("P", LinearSpring, AngularSpring)
 
 
 class _Wishes(msgspec.Struct, frozen=True):
-    """What is wished; see `set_wishes`."""
+    """Wishes; see `set_wishes`."""
 
     frequency: float | None = None
     calm_after: float | None = None
@@ -96,14 +96,14 @@ class _Wishes(msgspec.Struct, frozen=True):
 
 @dataclass(frozen=True)
 class Factors:
-    """What a design multiplies.
+    """Changes that a design makes.
 
     Attributes:
-        springs, joints: the stiffness of all springs, and of all joints.
-        taper: natural logarithm of the ratio of what stiffness is multiplied by at the root, where the body
-            is held, to that at the tip, which is as far from there as any mass along the springs.
-        spring_damping, joint_damping: the largest damping of springs, and of joints, kg/s; the others keep
-            their ratio to it. None where it stays.
+        springs, joints: factors of the stiffness of all springs, and of all joints.
+        taper: natural logarithm of the ratio of the stiffness factor at the root, where the body is held, to
+            that at the tip, the mass farthest from there along the springs.
+        spring_damping, joint_damping: the new largest damping of springs, and of joints, kg/s; the others
+            keep their ratio to it. None leaves it unchanged.
     """
 
     springs: float = 1.0
@@ -113,8 +113,8 @@ class Factors:
     joint_damping: float | None = None
 
     def applied(self, scene: Scene) -> Scene:
-        """A scene with other stiffnesses and dampings. With a taper, a body that a recipe made becomes one of
-        its parts; else it stays a recipe.
+        """Return a scene with other stiffnesses and dampings. With a taper, a body made by a recipe is
+        replaced by its parts; otherwise it stays a recipe.
 
         Raises:
             SceneError: a number would leave its range.
@@ -126,7 +126,7 @@ class Factors:
         return scene
 
     def with_stiffness(self, scene: Scene) -> Scene:
-        """As `applied`, but of stiffness only."""
+        """Apply only the stiffnesses, as in `applied`."""
         for key, factor in (("linear_stiffness", self.springs), ("angular_stiffness", self.joints)):
             if factor != 1.0:
                 scene = scaled(scene, key, factor)
@@ -135,16 +135,16 @@ class Factors:
 
 @dataclass(frozen=True)
 class Design:
-    """What `set_wishes` made.
+    """Result of `set_wishes`.
 
     Attributes:
         scene: the scene with other stiffnesses and dampings.
-        factors: by which they differ.
-        reached: what the scene does, by the names of the wishes: `frequency`, Hz, `calm_after`, s, `sag`, px,
-            and `dt`, s, the largest stable time step of `step_method`.
-        against: the names of the smallest number of wishes that cannot be had together; empty if all are
+        factors: the changes of these.
+        reached: values that the scene reaches, by the names of the wishes: `frequency`, Hz, `calm_after`, s,
+            `sag`, px, and `dt`, s, the largest stable time step of `step_method`.
+        against: the names of a smallest set of wishes that cannot be fulfilled together; empty if all are
             fulfilled.
-        conflict: that in a sentence without a full stop; empty if all are fulfilled.
+        conflict: the same as a sentence without a full stop; empty if all are fulfilled.
     """
 
     scene: Scene
@@ -162,39 +162,39 @@ def set_wishes(
     dt: float | None = None,
     mass: int | None = None,
 ) -> Design:
-    """The scene with stiffnesses and dampings with which it does what one wants to see.
+    """Return the scene with stiffnesses and dampings with which it behaves as wished.
 
-    All springs get one factor of their stiffness and all joints another, as small as they may be. Where these
-    do not do, a taper from root to tip makes one end stiffer than the other. Masses, lengths, angles and
-    gravity stay. To be calm sooner, the damping of what holds the vibration more, springs or joints, is
-    raised; to be calm later, or for a longer time step, all damping is lowered.
+    The stiffness of all springs is multiplied by one factor and that of all joints by another, with the
+    smallest possible change. Where that is not enough, a taper from root to tip makes one end stiffer than
+    the other. Masses, lengths, angles and gravity stay unchanged. To calm the body sooner, the damping of
+    springs or joints is raised, whichever contribute more to the stiffness of the vibration; to calm it
+    later, or for a longer time step, all damping is lowered.
 
     Args:
         scene: a valid scene of at most 1000 masses.
         frequency: Hz, of the slowest elastic vibration about the pose at rest without damping, which is
-            `sim.tuning(scene).elastic.frequency`: how often a second the body swings to and fro when it is
-            nudged. A swing under gravity, which stiffness hardly changes, is not meant.
-        calm_after: s, in which the amplitude of that vibration falls to a tenth, as
-            `sim.tuning(scene).elastic.calm_after`. It is not less than where the vibration by itself is
-            damped critically: more damping makes it creep.
-        sag: px, by which the mass that sinks most is lower at rest than where the scene has it, as
+            `sim.tuning(scene).elastic.frequency`: how many times per second the body swings to and fro after
+            a nudge. A swing under gravity, which stiffness hardly changes, is not meant.
+        calm_after: s, time in which the amplitude of that vibration falls to a tenth, as
+            `sim.tuning(scene).elastic.calm_after`. It is shortest where the vibration by itself is critically
+            damped: more damping makes it creep.
+        sag: px, by which the mass that sinks most is lower at rest than in the scene, as
             `sim.tuning(scene).sag`.
-        dt: s, a time step that the scene's method is to bear about the scene's start, as
-            `sim.tuning(scene).stable_steps`; a body that bears more is not changed. Where nothing limits the
-            steps of the scene's method, as under `auto`, symplectic Euler is to bear it, by which programs
-            that are taken home step; see `step_method`.
+        dt: s, a time step at which the scene's method must be stable about the scene's start, as
+            `sim.tuning(scene).stable_steps`; a body that is stable at longer ones is not changed. Where
+            nothing limits the steps of the scene's method, as under `auto`, symplectic Euler must be stable,
+            which exported programs use; see `step_method`.
         mass: the mass whose sag is meant, instead of the one that sinks most.
 
     Returns:
-        The design. Where the wishes cannot be had together it is the nearest, in the sense of the smallest
-        sum of squares of the logarithms of what is reached over what is wished, and it says which wishes
-        stand against each other. No stiffness changes by a factor of more than 100 000, or, with a taper, of
-        550 000 at its ends.
+        The design. If the wishes cannot be fulfilled together it is the nearest, with the smallest sum of
+        squares of the logarithms of reached over wished values, and it names the wishes that conflict. No
+        stiffness changes by a factor of more than 100 000, or, with a taper, 550 000 at its ends.
 
     Raises:
         SceneError: the scene is not valid.
         InputError: a wish is out of its range, or there is none.
-        DesignError: no stiffness or damping of the scene has to do with a wish, as where it has no springs.
+        DesignError: no stiffness or damping of the scene affects a wish, for example without any springs.
     """
     validate(scene)
     wishes = _Wishes(frequency, calm_after, sag, dt)
@@ -215,23 +215,23 @@ def set_wishes(
 
 
 def step_method(scene: Scene) -> str:
-    """The method whose time step a wish is about: the scene's, or symplectic Euler where nothing limits its
-    steps."""
+    """Return the method whose time step a wish refers to: the scene's, or symplectic Euler where nothing
+    limits its steps."""
     method = scene.integrator.method
     return method if METHODS[method].limit is not None else "symplectic_euler"
 
 
 def edit_of(design: Design, origin: Scene, scene: Scene, label: str) -> Edit:
-    """An edit of a scene that gives it the stiffnesses and dampings of a design.
+    """Return an edit that gives a scene the stiffnesses and dampings of a design.
 
     Args:
         design: the design.
-        origin: what it was made of: the scene, at another moment.
-        scene: the scene.
-        label: what was done.
+        origin: the scene from which it was made: `scene` at another moment.
+        scene: the scene to edit.
+        label: describes the edit.
 
     Raises:
-        SettingError: the scene has other parts, or other stiffnesses and dampings, than then.
+        SettingError: the parts, stiffnesses or dampings of `scene` differ from those of `origin`.
     """
     same = same_topology(origin, scene) and all(map(np.array_equal, Numbers.of(origin), Numbers.of(scene)))
     if not same:
@@ -274,10 +274,10 @@ class _Trial:
 
     Attributes:
         tried: the factors that were tried.
-        factors: the same, with the damping that calms it in time.
-        reached: what it does, by the names of the wishes, as far as it does anything.
-        residuals: of each wish, the logarithm of what is reached over what is wished.
-        rest: the scene at rest; None if there is nothing to see.
+        factors: the same, with the damping that calms the body in time.
+        reached: the values reached, by the names of the wishes, as far as they exist.
+        residuals: for each wish, the logarithm of the reached over the wished value.
+        rest: the scene at rest; None if the trial failed.
     """
 
     tried: Factors
@@ -296,11 +296,11 @@ class _Trial:
 
 
 class _Search:
-    """Searches for factors of a scene.
+    """Searches for the factors of a scene.
 
     Args:
         scene: the scene.
-        mass: whose sag is meant; None for the one that sinks most.
+        mass: the mass whose sag is meant; None for the one that sinks most.
     """
 
     def __init__(self, scene: Scene, mass: int | None) -> None:
@@ -312,16 +312,16 @@ class _Search:
         ]
         self._tapers = len(scene.linear_springs) > 1 and bool(scene.anchors)
         self._start = AtRest(scene)
-        self._meter: StabilityMeter | None = None  # the stiffest motions of two trials are much alike
-        self._rests: dict[Factors, AtRest] = {}  # other wishes are looked at with the same stiffnesses
-        self._last: tuple[_Wishes, _Trial] | None = None  # a search often begins where the one before ended
-        self._found: dict[_Wishes, _Trial] = {}  # some of the wishes are looked at more than once
+        self._meter: StabilityMeter | None = None  # the stiffest motions of two trials are similar
+        self._rests: dict[Factors, AtRest] = {}  # other wishes are tried with the same stiffnesses
+        self._last: tuple[_Wishes, _Trial] | None = None  # a search often starts where the last one ended
+        self._found: dict[_Wishes, _Trial] = {}  # subsets of the wishes are searched more than once
 
     def refuse_hopeless(self, wishes: _Wishes) -> None:
-        """Refuse what has nothing to do with stiffness or damping.
+        """Refuse wishes that do not depend on stiffness or damping.
 
         Raises:
-            DesignError: with the reason.
+            DesignError: gives the reason.
         """
         if not moves(self._scene):
             raise _no("no mass is free, so nothing moves")
@@ -334,7 +334,7 @@ class _Search:
             raise _no(f"nothing sags{because or ': nothing pulls it'}")
 
     def best(self, wishes: _Wishes) -> _Trial:
-        """The trial that comes nearest to some wishes; with a taper only if it has to be."""
+        """Return the trial closest to some wishes; with a taper only if necessary."""
         found = self._nearest(wishes)
         about = [name for name in wishes.names if name != "calm_after"]
         if found.is_enough or not self._tapers or len(about) < 2:
@@ -346,7 +346,7 @@ class _Search:
         return other if other.miss < 0.9 * found.miss else found
 
     def least_conflict(self, wishes: _Wishes) -> tuple[str, ...]:
-        """The smallest number of the wishes that cannot be had together."""
+        """Return a smallest set of the wishes that cannot be fulfilled together."""
         names = wishes.names
         for count in range(1, len(names)):
             for some in itertools.combinations(names, count):
@@ -355,7 +355,7 @@ class _Search:
         return names
 
     def _nearest(self, wishes: _Wishes) -> _Trial:
-        """The trial with the smallest squares, without a taper."""
+        """Return the trial with the smallest sum of squares, without a taper."""
         if wishes not in self._found:
             found = self._newly_nearest(wishes)
             if not found.is_enough and wishes.frequency is not None:
@@ -364,10 +364,10 @@ class _Search:
         return self._found[wishes]
 
     def _starts(self, wishes: _Wishes) -> list[Floats]:
-        """Unknowns from which a descent may come nearer than from the scene's own numbers.
+        """Return unknowns from which a descent may come closer than from the scene's own numbers.
 
-        Which vibration is the slowest elastic one changes with the factors. There the frequency jumps, and a
-        descent stops.
+        Another vibration may become the slowest elastic one as the factors change. The frequency jumps there,
+        and a descent stops.
         """
         only, changes = wishes.only(["frequency"]), self._changes
         if wishes != only:
@@ -377,7 +377,7 @@ class _Search:
         return sorted(grid, key=lambda logs: self._try(wishes, names, logs).miss)[:_RESTARTS]
 
     def _nearest_from(self, starts: list[Floats], wishes: _Wishes, found: _Trial) -> _Trial:
-        """The nearest of a trial and of those where descents from some unknowns end."""
+        """Return the best of a trial and the results of descents from some unknowns."""
         for start in starts:
             if found.is_enough:
                 break
@@ -391,7 +391,7 @@ class _Search:
         first = self._try(wishes, [name for name, _ in changes], np.zeros(len(changes)))
         if first.is_enough:
             return first
-        # A time step that the body bears anyhow is looked at only once it does not.
+        # The time step is ignored until a design violates it.
         looked = _Wishes(**{n: getattr(wishes, n) for n in wishes.names if n != "dt"})
         if wishes.dt is None:
             return self._descend(wishes, changes)
@@ -400,7 +400,7 @@ class _Search:
         found = self._try(wishes, [name for name, _ in changes], start)
         if found.is_enough or wishes.calm_after is not None:
             return found if found.is_enough else self._descend(wishes, changes, start)
-        # No wish is about damping, and less of it lets a body bear longer steps.
+        # No wish concerns damping, and with less of it longer steps are stable.
         return self._descend(wishes, [*changes, ("damping", _damped)], np.append(start, 0.0))
 
     def _unknowns(self, trial: _Trial, changes: Sequence[tuple[str, Change]]) -> Floats:
@@ -415,13 +415,13 @@ class _Search:
         return np.array([logs[name] for name, _ in changes])
 
     def _own_damping(self) -> list[float]:
-        """The damping of springs and of joints that the scene has, kg/s."""
+        """Return the scene's damping of springs and of joints, kg/s."""
         return [SETTINGS[key].read(self._scene) for key in _DAMPINGS]
 
     def _descend(
         self, wishes: _Wishes, changes: Sequence[tuple[str, Change]], start: Floats | None = None
     ) -> _Trial:
-        """The trial with the smallest squares, by Levenberg's method."""
+        """Return the trial with the smallest sum of squares, by Levenberg's method."""
         from scipy.optimize import lsq_linear
 
         names = [name for name, _ in changes]
@@ -429,7 +429,7 @@ class _Search:
         at = np.zeros(len(names)) if start is None else start
         here = self._try(wishes, names, at)
         caution, slopes = _CAUTIOUS, None
-        # Of a time step, which is known within a per cent, no more is asked than that it will do.
+        # Stability limits are accurate to 1 % only, so a time step need not be matched more closely.
         exact = np.array([REACHED if name == "dt" else _EXACT for name in wishes.names])
         for _ in range(_TRIALS):
             worst = float(np.abs(here.residuals).max())
@@ -457,7 +457,7 @@ class _Search:
                 if moved < _FINE:
                     break
         if wishes.names == ("dt",):
-            # Where springs and joints limit it alike, no slope leads on, but less of everything does.
+            # Where springs and joints limit it equally, no slope helps, but lowering everything does.
             for less in _LESS:
                 if here.is_enough or not np.abs(here.residuals).max() <= _CLOSE:
                     break
@@ -486,7 +486,7 @@ class _Search:
         return _Trial(tried, factors, reached, residual, rest)
 
     def _rest(self, factors: Factors, stiff: Scene) -> AtRest:
-        """The scene with some stiffnesses at rest."""
+        """Return the scene with some stiffnesses at rest."""
         key = replace(factors, spring_damping=None, joint_damping=None)
         if key not in self._rests:
             self._rests[key] = AtRest(self._from(stiff))
@@ -505,19 +505,19 @@ class _Search:
         return factors
 
     def _bears(self, factors: Factors) -> float:
-        """s, the largest stable time step with some factors."""
+        """Return the largest stable time step with some factors, s."""
         method = step_method(self._scene)
         self._meter, found = meter_at_start(factors.applied(self._scene), method, self._meter)
         return found.limit
 
     def _from(self, scene: Scene) -> Scene:
-        """A scene whose search for its pose at rest begins where the one before ended."""
+        """Return the scene so that its search for the pose at rest begins at that of the first scene."""
         return msgspec.structs.replace(scene, pose=self._start.scene.pose or scene.pose)
 
     def _reached(
         self, wishes: _Wishes, stiff: Scene, rest: AtRest, factors: Factors
     ) -> tuple[Factors, dict[str, float]]:
-        """The factors with the damping that is wished, and what the scene then does."""
+        """Return the factors with the wished damping, and the values that the scene then reaches."""
         reached: dict[str, float] = {}
         if rest.omega is not None:
             reached["frequency"] = rest.omega / math.tau
@@ -539,7 +539,7 @@ class _Search:
         unknowns: Floats,
         changes: Sequence[tuple[str, Change]],
     ) -> Floats:
-        """The derivatives of a trial's residuals with respect to the unknowns."""
+        """Return the derivatives of a trial's residuals with respect to the unknowns."""
         rest, reached = trial.rest, trial.reached
         if rest is None:
             return np.zeros((len(wishes.names), len(changes)))
@@ -560,7 +560,7 @@ class _Search:
         return np.array([rows[name] for name in wishes.names])
 
     def _off_step(self, wishes: _Wishes, names: Sequence[str], unknowns: Floats) -> float:
-        """The residual of the time step with other unknowns; the rest of the trial is made only if needed."""
+        """Return the residual of the time step at other unknowns; make the whole trial only if needed."""
         assert wishes.dt is not None
         if wishes.calm_after is not None:  # damping is found anew
             return float(self._try(wishes, names, unknowns).residuals[wishes.names.index("dt")])
@@ -572,7 +572,7 @@ class _Search:
 
 def _residual(name: str, wish: float, reached: float) -> float:
     if name == "dt":
-        # More than is wished is as good.
+        # A longer stable step than wished is as good.
         return min(0.0, math.log(max(reached, 1e-300) / (_MARGIN * wish)))
     ratio = reached / wish
     if ratio > _SHALLOW or name != "sag":
@@ -581,10 +581,10 @@ def _residual(name: str, wish: float, reached: float) -> float:
 
 
 class _Calming:
-    """How damping calms the elastic vibration of a body at rest.
+    """Finds the damping that calms the elastic vibration of a body at rest.
 
     Args:
-        rest: the body, which has one.
+        rest: the body, which must have one.
     """
 
     def __init__(self, rest: AtRest) -> None:
@@ -610,11 +610,12 @@ class _Calming:
         self._carrier = int(hold.joints > hold.springs)
 
     def calmed(self, after: float) -> tuple[float, float, float]:
-        """The damping of springs and of joints, kg/s, with which its amplitude falls to a tenth in some time,
-        or as nearly as can be; and in what time it then does.
+        """Return the damping of springs and of joints, kg/s, with which its amplitude falls to a tenth in a
+        given time, or as nearly as possible; and the time that it then takes.
 
-        All damping is lowered, or that of what holds the vibration more is raised, as little as does it; up
-        to where the vibration by itself would be damped critically.
+        Either all damping is lowered, or that of springs or joints is raised, whichever contribute more to
+        the vibration's stiffness: as little as necessary, and at most to where the vibration by itself would
+        be critically damped.
         """
         from scipy.optimize import minimize_scalar, root_scalar
 
@@ -627,7 +628,7 @@ class _Calming:
             most = np.minimum(most, SETTINGS["linear_damping"].high)
 
         def damping(way: float) -> Floats:
-            """-1: none; 0: its own; 1: the most."""
+            """Return the damping at -1: none; 0: its own; 1: the most."""
             return (1.0 + way) * own if way < 0.0 else own + way**3 * (most - own)
 
         def off(way: float) -> float:
@@ -639,8 +640,8 @@ class _Calming:
         lower = np.linspace(0.0, -1.0, _WAYS) if own.any() else np.zeros(1)
         higher = np.linspace(0.0, 1.0, _WAYS) if (most > own).any() else np.zeros(1)
         found = 0.0
-        # To be calmer, more damping is tried first; a body that its damping holds together is calmer with
-        # less.
+        # To calm the body sooner, more damping is tried first; a body that its damping holds together calms
+        # sooner with less.
         for ways in (higher, lower) if here > 0.0 else (lower, higher):
             values = np.array([off(way) for way in ways.tolist()])
             crossed = np.flatnonzero(np.sign(values[1:]) != np.sign(values[0]))
@@ -661,23 +662,23 @@ class _Calming:
         return springs, joints, self._time(damping(found))
 
     def _time(self, damping: Floats) -> float:
-        """s to a tenth, infinite without damping."""
+        """Return the time to a tenth of the amplitude, s; infinite without damping."""
         c = self._around + damping[0] * self._kinds[0] + damping[1] * self._kinds[1]
         rate = self._decay.rate(c, self._elastic)
         return TENTH / rate if rate > 1e-300 else math.inf
 
 
 def _damped(scene: Scene, step: float) -> Scene:
-    """A scene with all damping multiplied by exp(step)."""
+    """Return a scene with all damping multiplied by exp(step)."""
     for key in _DAMPINGS:
         scene = scaled(scene, key, math.exp(step))
     return scene
 
 
 def tapered(scene: Scene, steepness: float) -> Scene:
-    """A scene with the stiffness of springs and joints multiplied by exp(steepness (1/2 - s)), where s is how
-    far they are from what is held, along the springs, over the largest of such distances: 0 at the root, 1 at
-    a tip.
+    """Return a scene with the stiffness of springs and joints multiplied by exp(steepness (1/2 - s)), where s
+    is their distance from the held masses along the springs over the largest such distance: 0 at the root, 1
+    at a tip.
     """
     from scipy.sparse import coo_array
     from scipy.sparse.csgraph import dijkstra
@@ -711,7 +712,7 @@ def _times(parts: tuple[P, ...], factors: Floats) -> tuple[P, ...]:
 
 
 def _sentence(wishes: _Wishes, against: tuple[str, ...], reached: dict[str, float], unit: str) -> str:
-    """Which wishes stand against each other, and what there is instead."""
+    """Return a sentence that names conflicting wishes and the nearest values."""
 
     def number(name: str, value: float) -> str:
         if name == "dt":

@@ -1,1 +1,1 @@
-"""Editing scenes: pure functions from a scene to another, and how a motion goes on over them."""
+"""Editing scenes: pure functions from one scene to another, and how a motion continues across edits."""

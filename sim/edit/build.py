@@ -1,4 +1,4 @@
-"""Adding to a scene: masses, springs, joints, held masses; and taking away."""
+"""Adding masses, springs, joints and anchors to a scene, and removing them."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ P = TypeVar("P", Mass, LinearSpring, AngularSpring)
 NEW_MASS = Mass(position=(0.0, 0.0))
 NEW_SPRING = LinearSpring(a=0, b=1, stiffness=10_000.0, damping=20.0, rest_length=1.0)
 NEW_JOINT = AngularSpring(a=0, b=1, stiffness=10_000.0)
-"""What is added to a scene that has nothing of the kind yet."""
+"""Parts that are added to a scene without any of their kind."""
 
 
 def add_mass(scene: Scene, at: Vector, held: bool = False) -> Edit:
-    """One more mass, as heavy and as large as the scene's others (by the median), at rest.
+    """Add a mass at rest, as heavy and as large as the scene's others (by the median).
 
     Args:
-        scene: what it is added to.
-        at: where it begins, px.
+        scene: the scene to extend.
+        at: its start position, px.
         held: whether it is held there.
 
     Raises:
-        SceneError: there are too many, or the place is out of range.
+        SceneError: there are too many, or the position is out of range.
     """
     scene = of_parts(scene)
     mass = msgspec.structs.replace(_typical(scene.masses, NEW_MASS, "mass", "radius"), position=place(at))
@@ -51,16 +51,16 @@ def add_springs(
     positions: Sequence[Vector],
     scale: float | None = None,
 ) -> Edit:
-    """Springs between masses, which rest as they are; pairs that a spring joins already are left out.
+    """Add springs between masses, at rest as they are; skip pairs that are already connected.
 
     Args:
-        scene: what they are added to.
-        pairs: the masses that each joins.
-        positions: of all masses, px, from which the rest lengths follow.
+        scene: the scene to extend.
+        pairs: the masses that each connects.
+        positions: of all masses, px, which give the rest lengths.
         scale: the present factor of all rest lengths, by which they are divided; None for the scene's.
 
     Raises:
-        SceneError: a mass does not exist, the two are in the same place, or there are too many springs.
+        SceneError: a mass does not exist, two masses coincide, or there are too many springs.
     """
     scene = of_parts(scene)
     scale = scene.rest_length_scale if scale is None else scale
@@ -88,11 +88,11 @@ def add_springs(
 def add_joints(
     scene: Scene, pairs: Sequence[tuple[int, int]], angles: Sequence[float], stiffness: float | None = None
 ) -> Edit:
-    """Angular springs between pairs of linear springs; pairs that are joined already are left out.
+    """Add angular springs between pairs of linear springs; skip pairs that already have one.
 
     Args:
-        scene: what they are added to.
-        pairs: the linear springs that each holds.
+        scene: the scene to extend.
+        pairs: the linear springs that each connects.
         angles: the rest angle of each, degrees; `angle_between` gives the present one.
         stiffness: of each, kg/s², or None for that of the scene's others (by the median).
 
@@ -119,12 +119,12 @@ def add_joints(
 def extend(
     scene: Scene, mass: int, to: Vector, positions: Sequence[Vector], scale: float | None = None
 ) -> Edit:
-    """A new mass and a spring from a mass to it.
+    """Add a mass and a spring from an existing mass to it.
 
     Args:
-        scene: what they are added to.
+        scene: the scene to extend.
         mass: where the spring begins.
-        to: where the new mass is, px.
+        to: position of the new mass, px.
         positions: of the scene's masses, px.
         scale: see `add_springs`.
 
@@ -134,7 +134,7 @@ def extend(
     scene, (x, y) = of_parts(scene), place(to)
     n = len(scene.masses)
     refuse_missing([mass], n)
-    # The new mass starts from the other as it is seen from it now.
+    # Its position relative to the other mass is the same at the start as now.
     here = positions[mass]
     start = scene.masses[mass].position if scene.pose is None else scene.pose.positions[mass]
     begins = (start[0] + (x - here[0]), start[1] + (y - here[1]))
@@ -147,7 +147,7 @@ def extend(
 
 
 def joined(label: str, first: Edit, second: Edit) -> Edit:
-    """Two edits, one after the other, as one; the second moves no masses."""
+    """Combine two successive edits into one; the second must not move masses."""
     return Edit(
         label,
         second.scene,
@@ -165,7 +165,7 @@ def _after(first: Map, second: Map) -> Map:
 
 
 def remove(scene: Scene, gone: Selection) -> Edit:
-    """The scene without some parts, and what they held.
+    """Remove some parts, and those that depend on them.
 
     Raises:
         SceneError: no mass would be left.
@@ -177,7 +177,7 @@ def remove(scene: Scene, gone: Selection) -> Edit:
         (len(scene.linear_springs) - len(left.linear_springs), "spring"),
         (len(scene.angular_springs) - len(left.angular_springs), "joint"),
     ]
-    # What went with something else goes without saying.
+    # Parts removed along with others are not mentioned.
     label = next((counted(count, what) for count, what in numbers if count), "nothing")
     return Edit(f"{label} removed", left, masses, springs, joints)
 
@@ -201,7 +201,7 @@ def pin(scene: Scene, masses: Collection[int], on: bool) -> Edit:
 
 # ------------------------------------------------------------------------- numbers
 def place(at: Vector) -> Vector:
-    """A place as a scene can have it.
+    """Return a position as a scene can have it.
 
     Raises:
         SceneError: it is out of range or not a number.
@@ -213,14 +213,14 @@ def place(at: Vector) -> Vector:
 
 
 def _typical(parts: Sequence[P], new: P, *fields: str) -> P:
-    """A new part whose numbers in some fields are the medians of those that there are, if there are any."""
+    """Return a new part whose numbers in some fields are the medians of existing parts, if there are any."""
     if not parts:
         return new
     return msgspec.structs.replace(new, **{f: median(getattr(part, f) for part in parts) for f in fields})
 
 
 def angle_between(scene: Scene, a: int, b: int, positions: Sequence[Vector]) -> float:
-    """The present angle from linear spring a to b, degrees in (-180, 180], as `AngularSpring` counts it."""
+    """Return the present angle from linear spring a to b, degrees in (-180, 180], as in `AngularSpring`."""
     (ax, ay), (bx, by) = (
         (
             positions[spring.b][0] - positions[spring.a][0],
@@ -232,10 +232,10 @@ def angle_between(scene: Scene, a: int, b: int, positions: Sequence[Vector]) -> 
 
 
 def wrapped_degrees(angle: float) -> float:
-    """An angle, degrees, wrapped into (-180, 180]."""
+    """Wrap an angle, degrees, into (-180, 180]."""
     return wrapped(math.remainder(angle, 360.0))
 
 
 def positions_of(moment: Moment) -> list[Vector]:
-    """Where the masses are, px."""
+    """Return the positions of the masses, px."""
     return [(x, y) for x, y in moment.positions.tolist()]

@@ -16,15 +16,15 @@ from .build import place
 from .edit import Edit, Selection, counted, of_parts, refuse_missing, with_added, without
 
 MAX_FRAGMENT_BYTES = 2_000_000
-"""Size of the largest text that is pasted."""
+"""Largest size of a pasted text, bytes."""
 
 
 class Fragment(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag="softrod-fragment"):
-    """Masses, the springs and joints among them, and which are held; indices count from 0.
+    """Masses, the springs and joints between them, and which are held; indices count from 0.
 
     Attributes:
-        masses: about the middle of their bounding box, px.
-        springs, joints: among them.
+        masses: positioned about the centre of their bounding box, px.
+        springs, joints: between them.
         held: indices of held masses.
     """
 
@@ -35,7 +35,7 @@ class Fragment(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
 
 
 def copy(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Fragment:
-    """Some masses as they are now, at rest, with the springs and joints among them.
+    """Copy some masses where they are now, at rest, with the springs and joints between them.
 
     Raises:
         SceneError: there are none, or one does not exist.
@@ -60,10 +60,10 @@ def copy(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> 
 
 
 def paste(scene: Scene, fragment: Fragment, at: Vector) -> Edit:
-    """A fragment with its middle at a place, px; its muscles bring a beat to a scene that has none.
+    """Paste a fragment with its centre at a position, px; a fragment with muscles adds a beat if needed.
 
     Raises:
-        SceneError: it would be out of range, or too much for one scene.
+        SceneError: it would be out of range, or too large for one scene.
     """
     scene = of_parts(scene)
     if not scene.beat and any(part.muscle for part in (*fragment.springs, *fragment.joints)):
@@ -85,15 +85,15 @@ def paste(scene: Scene, fragment: Fragment, at: Vector) -> Edit:
 
 
 def encode(fragment: Fragment) -> str:
-    """A fragment as text, for a clipboard."""
+    """Return a fragment as text, for a clipboard."""
     return msgspec.json.encode(fragment).decode()
 
 
 def decode(text: str) -> Fragment:
-    """The fragment in a text, which may come from anywhere.
+    """Return the fragment in a text, which may come from anywhere.
 
     Raises:
-        SceneError: one sentence; it is not a fragment, or not one of a valid body.
+        SceneError: it is not a fragment, or not one of a valid body; one sentence.
     """
     data = text.encode("utf-8", "replace")
     if len(data) > MAX_FRAGMENT_BYTES:
@@ -103,7 +103,7 @@ def decode(text: str) -> Fragment:
     except (msgspec.DecodeError, RecursionError) as error:
         raise SceneError(f"this cannot be pasted: {sentence_of_json(error, data, Fragment)}") from None
     try:
-        # A scene of its own, so that whatever could be wrong with it is found.
+        # As a separate scene, so that any error in it is found.
         validate(
             Scene(
                 name="fragment",

@@ -1,4 +1,4 @@
-"""What an edit is: another scene, and which of its parts were there before."""
+"""Edits: a new scene, with a record of which of its parts were there before."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ..scene.types import Damage, Pose, Scene
 T = TypeVar("T")
 Ended = TypeVar("Ended", LinearSpring, AngularSpring)
 Map = tuple[int, ...] | None
-"""For each part after an edit, its index before, or -1 where it is new; None where nothing changed places."""
+"""For each part after an edit, its index before, or -1 if it is new; None if no index changed."""
 
 
 class Selection(NamedTuple):
@@ -40,18 +40,18 @@ class Selection(NamedTuple):
 
 @dataclass(frozen=True)
 class Edit:
-    """A scene that came of another.
+    """A scene made by editing another.
 
     Attributes:
         label: what was done, in a few words, as in "2 springs removed".
         scene: the new scene, which is valid.
         masses, springs, joints: for each part of the new scene, its index in the old one.
-        lost: (4, k) x, y (px), vx, vy (px/s) with which masses come back by an undo, in their order.
-        lost_damage: what had yielded and broken in the new scene before, with which springs and joints come
-            back by an undo.
+        lost: (4, k) x, y (px), vx, vy (px/s) of masses that are restored by an undo, in their order.
+        lost_damage: what had yielded and broken in the new scene before, for springs and joints that are
+            restored by an undo.
         shift: (2, n) px by which the edit moves the masses of the new scene, or None.
         stops: whether all masses are at rest after it.
-        select: what is to be selected afterwards; None for what was, as far as it is still there.
+        select: the selection afterwards; None to keep what is selected, as far as it still exists.
     """
 
     label: str
@@ -67,12 +67,12 @@ class Edit:
 
     @property
     def moves_parts(self) -> bool:
-        """Whether parts have come or gone, so that indices before and after differ."""
+        """Whether parts were added or removed, so that indices before and after differ."""
         return self.masses is not None or self.springs is not None or self.joints is not None
 
 
 def existing(selection: Selection, scene: Scene) -> Selection:
-    """What of a selection a scene has."""
+    """Return those parts of a selection that a scene has."""
     counts = len(scene.masses), len(scene.linear_springs), len(scene.angular_springs)
     there = (
         frozenset(i for i in parts if 0 <= i < count) for parts, count in zip(selection, counts, strict=True)
@@ -81,7 +81,7 @@ def existing(selection: Selection, scene: Scene) -> Selection:
 
 
 def still_selected(edit: Edit, selection: Selection) -> Selection:
-    """What is selected after an edit."""
+    """Return the selection after an edit."""
     if edit.select is not None:
         return edit.select
     kept = (
@@ -92,10 +92,10 @@ def still_selected(edit: Edit, selection: Selection) -> Selection:
 
 
 def carried(edit: Edit, moment: Moment) -> Moment:
-    """How a motion goes on after an edit. What is new begins as the scene has it.
+    """Return the moment from which a motion continues after an edit. New parts start as in the scene.
 
     Args:
-        edit: of the moment's scene.
+        edit: an edit of the moment's scene.
         moment: of the motion before.
     """
     scene = edit.scene
@@ -120,7 +120,7 @@ def carried(edit: Edit, moment: Moment) -> Moment:
         if edit.shift is not None:
             rows[:2] += edit.shift
     damage = _carried_damage(moment.damage, edit.springs, edit.joints, edit.lost_damage)
-    # What touches after parts have come or gone is held anew.
+    # After parts were added or removed, static friction starts anew.
     grips = None if edit.moves_parts else moment.grips
     return dataclasses.replace(moment, scene=scene, rows=rows, damage=damage, grips=grips)
 
@@ -128,7 +128,7 @@ def carried(edit: Edit, moment: Moment) -> Moment:
 def _carried_damage(
     damage: Damage | None, springs: Map, joints: Map, lost: Damage | None = None
 ) -> Damage | None:
-    """What has yielded and broken of the springs and joints after an edit."""
+    """Return the yielding and breakage of springs and joints after an edit."""
     if damage is None and lost is None:
         return None
     damage, lost = damage or Damage(), lost or Damage()
@@ -144,7 +144,7 @@ def _carried_damage(
 
 
 def _values(values: tuple[float, ...], origin: Map, lost: tuple[float, ...]) -> tuple[float, ...]:
-    """A value for each part after an edit: its own of before, or that with which it comes back."""
+    """Return a value for each part after an edit: its own from before, or the one restored with it."""
     if origin is None or not (values or lost):
         return values
     own, back = values or (0.0,) * len(origin), lost or (0.0,) * len(origin)
@@ -152,12 +152,12 @@ def _values(values: tuple[float, ...], origin: Map, lost: tuple[float, ...]) -> 
 
 
 def inverse(edit: Edit, before: Scene, moment: Moment | None = None) -> Edit:
-    """The edit that leads back: it makes exactly the scene before.
+    """Return the inverse edit, which restores exactly the scene before.
 
     Args:
-        edit: of `before`.
+        edit: an edit of `before`.
         before: the scene that was edited.
-        moment: of the motion when it was edited, from which parts that were removed come back.
+        moment: of the motion when it was edited, from which removed parts are restored.
     """
     masses = _inverted(edit.masses, len(before.masses))
     lost = None
@@ -191,11 +191,11 @@ def _inverted(origin: Map, count: int) -> Map:
     return tuple(back)
 
 
-# ------------------------------------------------------------------------- what edits are made of
+# ------------------------------------------------------------------------- building blocks of edits
 def of_parts(scene: Scene) -> Scene:
-    """The scene with its masses and springs as they are, without the recipes and the template they came from.
+    """Return the scene with the same masses and springs but without the recipes or template they came from.
 
-    The joints of a diagonal template keep their stiffness, which is sqrt(2) times that of their number.
+    The joints of a diagonal template keep their actual stiffness, sqrt(2) times the number in the scene.
     """
     changes: dict[str, object] = {}
     if scene.bodies:
@@ -217,7 +217,7 @@ def with_added(
     joints: Sequence[AngularSpring] = (),
     anchors: Sequence[Anchor] = (),
 ) -> Edit:
-    """More parts for a scene of parts, which come after those it has.
+    """Append parts to a scene of parts.
 
     Raises:
         SceneError: there are too many.
@@ -248,7 +248,7 @@ def with_added(
 def _carried_pose(
     pose: Pose | None, new: Sequence[Mass], masses: Map, springs: Map, joints: Map
 ) -> Pose | None:
-    """A pose after an edit; `new` are the masses then, of which some may begin as they say."""
+    """Return a pose after an edit; `new` are the masses then, and added ones start as they specify."""
     if pose is None:
         return None
     positions, velocities = pose.positions, pose.velocities
@@ -261,10 +261,11 @@ def _carried_pose(
 
 
 def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
-    """A scene of parts without some of them, and where the others were: masses, springs, joints.
+    """Remove parts from a scene of parts; return it with the old indices of masses, springs and joints.
 
-    What a mass or a spring held goes with it: springs, joints, anchors. A filling goes when a spring of its
-    loop goes, as when one breaks, or when less than three masses of its loop are left.
+    Springs, joints and anchors that depend on a removed mass or spring are removed with it. A filling is
+    removed when a spring of its loop is, as when one breaks, or when fewer than three masses of its loop are
+    left.
 
     Raises:
         SceneError: no mass would be left.
@@ -314,13 +315,13 @@ def _map(kept: list[int], parts: Sequence[object]) -> Map:
 
 
 def _renumbered(part: Ended, at: dict[int, int]) -> Ended:
-    """A part with the new numbers of what is at its ends; itself where these are as before."""
+    """Return a part with the new indices at its ends; the same object if these do not change."""
     a, b = at[part.a], at[part.b]
     return part if a == part.a and b == part.b else msgspec.structs.replace(part, a=a, b=b)
 
 
 def changed(parts: Sequence[T], new: Iterable[tuple[int, T]]) -> tuple[T, ...]:
-    """The parts with some of them replaced."""
+    """Return the parts with some of them replaced."""
     every = list(parts)
     for i, part in new:
         every[i] = part
@@ -333,7 +334,7 @@ def refuse_missing(parts: Iterable[int], count: int, what: str = "mass") -> None
     Args:
         parts: indices.
         count: how many there are.
-        what: they are called.
+        what: their name.
 
     Raises:
         SceneError: one of them does not exist.
@@ -345,6 +346,6 @@ def refuse_missing(parts: Iterable[int], count: int, what: str = "mass") -> None
 
 
 def counted(count: int, what: str) -> str:
-    """A number of things in words, as in "2 springs"."""
+    """Return a count with its noun, as in "2 springs"."""
     several = {"mass": "masses"}.get(what, f"{what}s")
     return f"{count} {what if count == 1 else several}"

@@ -1,4 +1,4 @@
-"""A scene's lesson: its steps are added, ordered and changed."""
+"""Editing a scene's lesson: adding, ordering and changing its steps."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ PULLED = 0.5
 """Pixels from its start beyond which a mass counts as pulled."""
 
 OWN_LESSON = "my lesson"
-"""What a preset is called once its lesson is another one, until it gets a name."""
+"""Name of a preset after its lesson is changed, until it gets another name."""
 
 FIRST_TASK = "Let it run, and watch."
-"""What a new step says until something else is written: a step always says what to do."""
+"""Task of a new step until another is written: a step always says what to do."""
 
 
 def add_step(scene: Scene, at: int) -> Edit:
-    """Put a new step into the lesson, or begin a lesson with it.
+    """Insert a new step into the lesson, or begin a lesson with it.
 
     Args:
-        scene: which.
-        at: the number that the step is to have, counted from 0. It sets what the step before it sets.
+        scene: the scene.
+        at: number of the new step, counted from 0. It has the settings of the step before it.
 
     Raises:
-        SceneError: there is no such place, or the lesson has 20 steps already.
+        SceneError: there is no such place, or the lesson already has 20 steps.
     """
     steps = list(_steps(scene))
     if not 0 <= at <= len(steps):
@@ -51,10 +51,10 @@ def add_step(scene: Scene, at: int) -> Edit:
 
 
 def copy_step(scene: Scene, number: int) -> Edit:
-    """Put a copy of a step after it.
+    """Insert a copy of a step after it.
 
     Raises:
-        SceneError: there is no such step, or the lesson has 20 steps already.
+        SceneError: there is no such step, or the lesson already has 20 steps.
     """
     steps, step = list(_steps(scene)), _step(scene, number)
     steps.insert(number + 1, step)
@@ -62,7 +62,7 @@ def copy_step(scene: Scene, number: int) -> Edit:
 
 
 def remove_step(scene: Scene, number: int) -> Edit:
-    """Take a step out of the lesson; with the last one the lesson goes.
+    """Remove a step from the lesson; removing the only one removes the lesson.
 
     Raises:
         SceneError: there is no such step.
@@ -72,12 +72,12 @@ def remove_step(scene: Scene, number: int) -> Edit:
 
 
 def move_step(scene: Scene, number: int, to: int) -> Edit:
-    """Give a step another place among the others.
+    """Move a step to another place in the lesson.
 
     Args:
-        scene: which.
+        scene: the scene.
         number: of the step.
-        to: the number that it is to have.
+        to: its new number.
 
     Raises:
         SceneError: there is no such step, or no such place.
@@ -94,14 +94,14 @@ def change_step(scene: Scene, number: int, label: str, **changes: Any) -> Edit:
     """Change a step.
 
     Args:
-        scene: which.
+        scene: the scene.
         number: of the step.
         label: what is changed.
         changes: new values of fields of `Step`.
 
     Raises:
-        SceneError: there is no such step, a value is not one that a step can have, or it is of a quantity or
-            a setting that the scene does not have; names the field.
+        SceneError: there is no such step, a value is invalid for a step, or it refers to a quantity or a
+            setting that the scene does not have; names the field.
     """
     steps, step = list(_steps(scene)), _step(scene, number)
     changed = msgspec.structs.replace(step, **changes)
@@ -129,17 +129,17 @@ def change_step(scene: Scene, number: int, label: str, **changes: Any) -> Edit:
 
 
 def begin_as(scene: Scene, number: int, now: Scene, opened: Scene) -> Edit:
-    """Have a step begin with the settings of now.
+    """Make a step begin with the current settings.
 
-    From then on every step sets what any of them sets, so that what a step begins with does not depend on the
-    step before, nor on where the sliders stand when the scene is saved. What the others did not set, they set
-    as it was when the scene was opened.
+    Every step then sets everything that any of them sets, so that the state at its beginning depends neither
+    on the previous step nor on the slider positions when the scene is saved. The other steps set what they
+    did not set before to its value when the scene was opened.
 
     Args:
-        scene: the one with the lesson.
+        scene: the scene with the lesson.
         number: of the step.
-        now: the same scene with its settings as they are now.
-        opened: as it was opened.
+        now: the same scene with its current settings.
+        opened: the scene as it was opened.
 
     Raises:
         SceneError: there is no such step.
@@ -163,19 +163,19 @@ def begin_as(scene: Scene, number: int, now: Scene, opened: Scene) -> Edit:
 
 
 def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Scene) -> Edit:
-    """Have a step run the case that is there now: with these settings, and masses let go where they are.
+    """Make a step run the current case: with these settings, and masses released where they are.
 
-    From then on every step sets what this run changes, so that the next one does not begin with it.
+    Every step then sets what this run changes, so that the next one does not begin with the change.
 
     Args:
-        scene: the one with the lesson.
+        scene: the scene with the lesson.
         number: of the step.
-        now: the same scene with its settings as they are now.
-        positions: (n, 2) px, where its masses are; those elsewhere than at the step's start are pulled there.
-        opened: as it was opened.
+        now: the same scene with its current settings.
+        positions: (n, 2) px, where its masses are; those not at the step's start are pulled there.
+        opened: the scene as it was opened.
 
     Raises:
-        SceneError: there is no such step, nothing is otherwise than at its beginning, or too many masses are
+        SceneError: there is no such step, nothing differs from its beginning, or too many masses are
             elsewhere.
         SettingError: the step cannot begin.
     """
@@ -184,11 +184,11 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
     begins = scene_of_step(msgspec.structs.replace(opened, lesson=scene.lesson), number)
     before = _values(begins)
     changed = {key: value for key, value in _values(now).items() if value != before.get(key)}
-    # A body whose muscles were changed is its recipe's no more, and has numbers that the step cannot set.
+    # A body whose muscles were changed has no recipe any more, and has numbers that the step cannot set.
     chosen = {key: value for key, value in changed.items() if key in CHOICES}
     there = _values(apply_assignments(begins, _assignments(chosen)))
     changed = {key: value for key, value in changed.items() if key in there and value != there[key]} | chosen
-    # Settings of a recipe change muscles, too, and where masses start.
+    # Settings of a recipe also change muscles and the positions where masses start.
     settled = apply_assignments(begins, _assignments(changed))
     starts = np.array(settled.pose.positions if settled.pose else [mass.position for mass in settled.masses])
     moved = positions - starts if positions.shape == starts.shape else np.zeros_like(starts)
@@ -223,10 +223,10 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
 
 
 def lead_in_run(scene: Scene, number: int, mass: int, radius: float, frequency: float) -> Edit:
-    """Have the run of a step lead a mass round a circle, from where the mass is as the run begins.
+    """Make the run of a step lead a mass round a circle, from its position when the run begins.
 
     Args:
-        scene: the one with the lesson.
+        scene: the scene with the lesson.
         number: of the step.
         mass: index of the mass.
         radius, frequency: of its circle, px and Hz, see `Circle`; with a radius of 0 it is no longer led.
@@ -258,23 +258,24 @@ def _assignments(values: dict[str, str]) -> tuple[str, ...]:
 
 
 def settings_to_set(scene: Scene, now: Scene, opened: Scene) -> dict[str, str]:
-    """What a step sets that begins as it is now, by its keys: what any step sets, and what is otherwise than
-    when the scene was opened; see `begin_as` for the arguments. It can be set in this order."""
+    """Return the settings, by key, of a step that begins as the scene is now: those that any step sets, and
+    those that differ from when the scene was opened; see `begin_as` for the arguments. They can be applied in
+    this order."""
     here, before = _values(now), _values(opened)
     if now.template is not None:
-        here.pop("rest_angle", None)  # the template sets it, and would go if it were set
+        here.pop("rest_angle", None)  # the template sets it, and would be removed by setting it
     named = {key for each in _steps(scene) for key in _by_key(each.settings)}
     return {key: value for key, value in here.items() if key in named or value != before.get(key)}
 
 
 def remove_lesson(scene: Scene) -> Edit:
-    """Take the lesson away."""
+    """Remove the lesson."""
     return _edit("lesson deleted", scene, []) if scene.lesson is not None else Edit("", scene)
 
 
 # ------------------------------------------------------------------------- inside
 def _values(scene: Scene) -> dict[str, str]:
-    """The values of all choices and settings of a scene by their keys, as `--set` has them."""
+    """Return the values of all choices and settings of a scene by key, as `--set` takes them."""
     values = {key: choice.read(scene) for key, choice in CHOICES.items() if choice.applies(scene)}
     for setting in settings_of(scene):
         value = setting.read(scene)
@@ -295,20 +296,20 @@ def _step(scene: Scene, number: int) -> Step:
 
 
 def _by_key(settings: tuple[str, ...]) -> dict[str, str]:
-    """Assignments by their keys; the last one of a key counts."""
+    """Return assignments by key; the last one of a key counts."""
     return {key.strip(): value.strip() for key, _, value in (each.partition("=") for each in settings)}
 
 
 def _edit(label: str, scene: Scene, steps: list[Step]) -> Edit:
-    """The scene with these steps; a preset gets a name of its own.
+    """Return an edit that gives a scene these steps; a preset gets a new name.
 
     Raises:
-        SceneError: it cannot have them; names the field.
+        SceneError: the steps are invalid; names the field.
     """
     lesson = Lesson(steps=tuple(steps)) if steps else None
     if len(steps) > 20:
         raise SceneError("lesson.steps: a lesson has 20 steps at most")
-    # With a body of its own, since that of the scene may be large: it has as many masses as are moved.
+    # With a separate body, since the scene's may be large: it has as many masses as are moved.
     moved = [one.mass for step in steps if step.run for one in (*step.run.pulls, *step.run.leads)]
     masses = (Mass(position=(0.0, 0.0)),) * min(1 + max(moved, default=0), len(scene.masses))
     validate(Scene(name="lesson", masses=masses, lesson=lesson))

@@ -1,4 +1,4 @@
-"""Giving muscles to springs and joints, changing them, and taking them away."""
+"""Adding muscles to springs and joints, changing and removing them."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from ..scene.validate import number_range
 from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 
 DECIMALS = 9
-"""To which amplitudes and phases are rounded that are moved by steps."""
+"""Decimals to which amplitudes and phases are rounded, since they may be changed in steps."""
 
 P = TypeVar("P", LinearSpring, AngularSpring)
 M = TypeVar("M", SpringMuscle, JointMuscle)
 
 
 def muscles_of(scene: Scene, parts: Selection) -> Selection:
-    """Those of some springs and joints that have a muscle.
+    """Return those of some springs and joints that have a muscle.
 
     Raises:
         SceneError: one of them does not exist.
@@ -35,7 +35,7 @@ def muscles_of(scene: Scene, parts: Selection) -> Selection:
 
 
 def give_muscles(scene: Scene, parts: Selection) -> Edit:
-    """A muscle for each of some springs and joints that has none, and a beat if the scene has none.
+    """Add a muscle to each of some springs and joints without one, and a beat if the scene has none.
 
     Raises:
         SettingError: none of them lacks one.
@@ -60,10 +60,10 @@ def give_muscles(scene: Scene, parts: Selection) -> Edit:
 
 
 def toggle_muscles(scene: Scene, parts: Selection) -> Edit:
-    """A muscle for each of some springs and joints; where all have one, none any more.
+    """Add muscles to those of some springs and joints without one; if all have one, remove them.
 
     Raises:
-        SettingError: there are no springs and no joints among them.
+        SettingError: no springs or joints are given.
         SceneError: one of them does not exist.
     """
     have = muscles_of(scene, parts)
@@ -72,7 +72,7 @@ def toggle_muscles(scene: Scene, parts: Selection) -> Edit:
 
 
 def take_muscles(scene: Scene, parts: Selection) -> Edit:
-    """Some springs and joints without their muscles; the last muscle takes the beat with it.
+    """Remove the muscles of some springs and joints; without any muscle left, the beat is removed, too.
 
     Raises:
         SettingError: none of them has one.
@@ -95,14 +95,14 @@ def take_muscles(scene: Scene, parts: Selection) -> Edit:
 
 
 def move_muscles(scene: Scene, parts: Selection, later: float, stretch: float, turn: float) -> Edit:
-    """The muscles of some springs and joints moved along the beat and in size, all by as much.
+    """Shift the muscles of some springs and joints along the beat and change their amplitudes, all equally.
 
     Args:
-        scene: whose parts.
-        parts: those without a muscle stay as they are.
-        later: beats by which each comes to its largest later.
-        stretch: what is added to the amplitudes of springs, which stay within their range.
-        turn: degrees that are added to the amplitudes of joints, which stay within theirs.
+        scene: the scene.
+        parts: the springs and joints; those without a muscle do not change.
+        later: beats by which each reaches its peak later.
+        stretch: added to the amplitudes of springs, which stay within their range.
+        turn: degrees added to the amplitudes of joints, which stay within theirs.
 
     Raises:
         SettingError: none of them has a muscle.
@@ -128,9 +128,9 @@ def move_muscles(scene: Scene, parts: Selection, later: float, stretch: float, t
 def shape_muscles(
     scene: Scene, parts: Selection, wave: Wave | None = None, per_beat: int | None = None
 ) -> Edit:
-    """Another wave, or another number of waves in a beat, for the muscles of some springs and joints.
+    """Change the wave, or the number of waves per beat, of the muscles of some springs and joints.
 
-    Each comes to its largest when it did before, or one of its waves does.
+    Each reaches its peak when it did before, or one of its waves does.
 
     Raises:
         SettingError, SceneError: as `move_muscles`.
@@ -146,8 +146,8 @@ def shape_muscles(
 
 
 def spread_muscles(scene: Scene, parts: Selection) -> Edit:
-    """The muscles of some springs and joints one after the other, evenly over a beat: springs in their order,
-    and so joints.
+    """Spread the muscles of some springs and joints evenly over a beat: springs in their order, and joints in
+    theirs.
 
     Raises:
         SettingError, SceneError: as `move_muscles`.
@@ -155,7 +155,7 @@ def spread_muscles(scene: Scene, parts: Selection) -> Edit:
     have = _having(scene, parts)
 
     def phases(indices: frozenset[int]) -> dict[int, float]:
-        """The first comes to its largest when the beat begins."""
+        """Return the parts of the beat at which they peak, the first when the beat begins."""
         count = len(indices)
         return {index: k / count for k, index in enumerate(sorted(indices))}
 
@@ -170,18 +170,18 @@ def spread_muscles(scene: Scene, parts: Selection) -> Edit:
 
 
 def crest(muscle: SpringMuscle | JointMuscle) -> float:
-    """Where in a beat a muscle's wave is largest for the first time: 0..1, below 1 / per_beat."""
+    """Return the part of a beat at which a muscle's wave first peaks: 0..1, below 1 / per_beat."""
     return (90.0 - muscle.phase) % 360.0 / 360.0 / muscle.per_beat
 
 
 def with_crest(muscle: M, at: float) -> M:
-    """The muscle with its wave largest at a part of the beat."""
+    """Return the muscle with the peak of its wave at a part of the beat."""
     return msgspec.structs.replace(muscle, phase=_in_turn(90.0 - 360.0 * muscle.per_beat * at))
 
 
 # ------------------------------------------------------------------------- inside
 def _in_turn(phase: float) -> float:
-    """A phase, degrees, in 0..360 and without the rounding of what it was made from."""
+    """Return a phase, degrees, wrapped to 0..360 and without rounding errors."""
     return round(phase % 360.0, DECIMALS) % 360.0
 
 

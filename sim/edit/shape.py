@@ -1,4 +1,4 @@
-"""Changing the shape of a body: moving, mirroring, cutting, bracing, and resting as it is."""
+"""Changing the shape of a body: moving, mirroring, cutting and bracing."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 
 
 def move(scene: Scene, masses: Collection[int], by: Vector) -> Edit:
-    """Some masses somewhere else, at the start and in the present pose; springs keep their rest lengths.
+    """Move some masses, at the start and in the present pose; springs keep their rest lengths.
 
     Raises:
-        SceneError: one of them would be out of range, or in the same place as another that a spring joins.
+        SceneError: one of them would be out of range, or coincide with another that a spring connects to it.
     """
     dx, dy = by
     return _displaced(scene, dict.fromkeys(masses, (dx, dy)), f"{counted(len(masses), 'mass')} moved")
 
 
 def mirror(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> Edit:
-    """Some masses mirrored left to right about their middle, and the forces on them; the joints among them
-    bend the other way, and their muscles bend them the other way.
+    """Mirror some masses left to right about their middle, and the forces on them; the joints between them
+    and their muscles then bend the other way.
 
     Raises:
         SceneError: one of them would be out of range.
@@ -97,10 +97,10 @@ def _refuse_coincidence(scene: Scene, moved: set[int]) -> None:
 
 
 def cut(scene: Scene, stroke: Sequence[Vector], positions: Sequence[Vector]) -> Edit:
-    """The scene without the springs that a stroke crosses.
+    """Remove the springs that a stroke crosses.
 
     Args:
-        scene: what is cut.
+        scene: the scene to cut.
         stroke: its corners, px; at least two.
         positions: of all masses, px.
     """
@@ -119,24 +119,24 @@ def cut(scene: Scene, stroke: Sequence[Vector], positions: Sequence[Vector]) -> 
 
 
 def crossing(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> np.ndarray:
-    """Whether segments from a to b cross segments from c to d; (k, 2) each, or (1, 2) for one for all."""
+    """Return whether segments a to b cross segments c to d; each (k, 2), or (1, 2) for one for all."""
     return (_side(a, b, c) * _side(a, b, d) < 0.0) & (_side(c, d, a) * _side(c, d, b) < 0.0)
 
 
 def _side(p: np.ndarray, q: np.ndarray, r: np.ndarray) -> np.ndarray:
-    """On which side of the line from p to q the points r are: by sign; 0 on it."""
+    """Return by its sign on which side of the line from p to q the points r are; 0 on the line."""
     return (q[:, 0] - p[:, 0]) * (r[:, 1] - p[:, 1]) - (q[:, 1] - p[:, 1]) * (r[:, 0] - p[:, 0])
 
 
 def add_corners(
     scene: Scene, masses: Collection[int], positions: Sequence[Vector], shift: float = 0.0
 ) -> Edit:
-    """Angular springs at every corner of some masses, at rest as they are: between springs that are next to
-    each other around a mass.
+    """Add angular springs at every corner of some masses, at rest as they are: between springs that are next
+    to each other around a mass.
 
     Args:
-        scene: what they are added to.
-        masses: whose corners.
+        scene: the scene to extend.
+        masses: the masses at the corners.
         positions: of all masses, px.
         shift: degrees that keys have added to all rest angles.
     """
@@ -161,14 +161,14 @@ def add_corners(
 def triangulate(
     scene: Scene, masses: Collection[int], positions: Sequence[Vector], scale: float | None = None
 ) -> Edit:
-    """Springs between some masses until their inside is all triangles (Delaunay's), at rest as they are.
+    """Add springs, at rest as they are, between some masses to triangulate the area between them (Delaunay).
 
-    Where springs among the masses make a closed outline, only its inside is braced. No new spring crosses one
-    that is there.
+    Where springs between the masses form a closed outline, only its inside is braced. No new spring crosses
+    an existing one.
 
     Args:
-        scene: what they are added to.
-        masses: which.
+        scene: the scene to extend.
+        masses: the masses to connect.
         positions: of all masses, px.
         scale: see `add_springs`.
 
@@ -206,7 +206,7 @@ def triangulate(
 
 
 def _outline(masses: Sequence[int], pairs: set[frozenset[int]]) -> list[int] | None:
-    """The masses in order around the closed loop that the springs among them make, or None."""
+    """Return the masses in order around the closed loop that the springs between them form, or None."""
     beside: dict[int, list[int]] = {i: [] for i in masses}
     for pair in pairs:
         a, b = pair
@@ -224,7 +224,7 @@ def _outline(masses: Sequence[int], pairs: set[frozenset[int]]) -> list[int] | N
 
 
 def _is_inside(point: np.ndarray, loop: np.ndarray) -> bool:
-    """Whether a point is inside a polygon, by the crossings of a ray to the right."""
+    """Return whether a point is inside a polygon, by the crossings of a ray to the right."""
     x, y = point
     after = np.roll(loop, -1, axis=0)
     spans = (loop[:, 1] > y) != (after[:, 1] > y)

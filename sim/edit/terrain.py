@@ -1,4 +1,4 @@
-"""A body on the terrain of another one: with all that is around it."""
+"""Placing a body on the terrain of another one, with all of its surroundings."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from ..scene.types import Scene, shown_name
 from ..scene.validate import validate
 
 TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
-"""The fields of a scene that are around a body."""
+"""The fields of a scene that surround a body."""
 
 
 def on_terrain(scene: Scene, terrain: Scene) -> Scene:
-    """A scene with all that is around the body of another one; what would begin in its walls is moved out.
+    """Return a scene with the surroundings of another one; a body that would begin in its walls is moved out.
 
     Raises:
-        SceneError: the body does not go with it.
+        SceneError: the body does not fit the terrain.
     """
     name, (one, other) = shown_name(scene)[:80], (scene.view, terrain.view)
     if one.unit != other.unit:
@@ -33,13 +33,13 @@ def on_terrain(scene: Scene, terrain: Scene) -> Scene:
 
 
 def center(scene: Scene, positions: NDArray[np.float64]) -> float:
-    """x of the centre of mass, px."""
+    """Return x of the centre of mass, px."""
     mass = np.array([one.mass for one in scene.masses])
     return float(mass @ positions[:, 0] / mass.sum()) if len(mass) else 0.0
 
 
 def _out_of_walls(scene: Scene) -> Scene:
-    """The scene with its body moved out of the walls in which it would begin, by the shortest way."""
+    """Return the scene with its body moved out of the walls in which it would begin, by the shortest way."""
     pose = scene.pose
     places = np.array(pose.positions if pose else [mass.position for mass in scene.masses]).reshape(-1, 2)
     way = np.zeros(2)

@@ -13,24 +13,24 @@ from ..store.files import is_built_in, safe_name
 from .edit import Edit
 
 UNNAMED = "my scene"
-"""What a scene is called that was made of a preset, until it gets a name."""
+"""Name of a scene made from a preset, until it gets another name."""
 
 
 def set_texts(scene: Scene, name: str, description: str) -> Edit:
     """Give a scene another name and another description.
 
     Args:
-        scene: which.
+        scene: the scene.
         name: the new name, made safe for a file, see `sim.store.files.safe_name`. The scene is saved under it
-            and has no other title. A scene whose shown name it is already keeps both.
-        description: the new text. Spaces and empty lines around it are left out.
+            and has no other title. If it is already the shown name, both are kept.
+        description: the new text. Surrounding spaces and empty lines are removed.
 
     Raises:
         SceneError: the name is empty or that of a preset, or a text is too long; one sentence.
     """
     description = "\n".join(line.rstrip() for line in description.strip().splitlines())
     name = " ".join(name.split())
-    # With a body of its own, since that of the scene may be large.
+    # With a separate body, since the scene's may be large.
     validate(Scene(name=name, description=description, masses=(Mass(position=(0.0, 0.0)),)))
     changes: dict[str, str] = {}
     if name != shown_name(scene):
@@ -44,18 +44,18 @@ def set_texts(scene: Scene, name: str, description: str) -> Edit:
 
 
 def renamed(scene: Scene, name: str) -> Edit:
-    """Give a scene the name that it was saved under, and no other title."""
+    """Give a scene the name under which it was saved, and no other title."""
     if (scene.name, scene.title) == (name, ""):
         return Edit("", scene)
     return Edit("scene renamed", msgspec.structs.replace(scene, name=name, title=""))
 
 
 def as_own(edit: Edit, before: Scene) -> Edit:
-    """The edit, and if parts of a preset come or go by it, the scene is no longer that preset: it gets a name
-    of its own and an empty description. A lesson keeps its texts.
+    """Return the edit; if it adds or removes parts of a preset, the scene is no longer that preset and gets a
+    new name and an empty description. A lesson keeps its texts.
 
     Args:
-        edit: of `before`.
+        edit: an edit of `before`.
         before: the scene that was edited.
     """
     if not edit.moves_parts or before.lesson is not None or not is_built_in(before.name):

@@ -22,7 +22,7 @@ from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 from .shape import move
 
 Kind = Literal["masses", "linear_springs", "angular_springs"]
-"""The field of a scene that has the parts."""
+"""The field of a scene with the parts."""
 
 _TYPES: dict[Kind, type] = {
     "masses": Mass,
@@ -34,14 +34,14 @@ _WORDS: dict[Kind, str] = {"masses": "mass", "linear_springs": "spring", "angula
 
 @dataclass(frozen=True)
 class Number:
-    """A number that each part of a kind has.
+    """A number of each part of a kind.
 
     Attributes:
-        kind, field: where it is; of what a part may have, as in "muscle.phase", for parts that have it.
+        kind, field: where it is; a path such as "muscle.phase" applies only to parts that have it.
         label, unit: for people.
         low, high: its range.
-        optional: whether a part may be without it.
-        axis: of a vector, 0 for x and 1 for y; None for a number by itself.
+        optional: whether a part may lack it.
+        axis: for vectors, 0 for x and 1 for y; None for a scalar.
         whole: whether it is a whole number.
     """
 
@@ -56,7 +56,7 @@ class Number:
     whole: bool = False
 
     def of_part(self, part: Any) -> float | None:
-        """The number that a part has."""
+        """Return the number of a part."""
         if "." in self.field:
             owner, field = self.field.split(".")
             return getattr(getattr(part, owner) or None, field, None)
@@ -64,7 +64,7 @@ class Number:
         return value if self.axis is None else (value or (0.0, 0.0))[self.axis]
 
     def replaced(self, part: Any, value: float | None) -> Any:
-        """The part with another number."""
+        """Return the part with another number."""
         new: Any = value
         if "." in self.field:
             owner, field = self.field.split(".")
@@ -75,7 +75,7 @@ class Number:
         if self.axis is not None:
             vector: list[Any] = list(getattr(part, self.field) or (0.0, 0.0))
             vector[self.axis] = value
-            # No force is none at all, so that a body which has lost its last one is what it was without.
+            # A zero force is unset, so that removing the last force restores a body without any.
             new = msgspec.UNSET if self.field == "force" and not any(vector) else tuple(vector)
         return msgspec.structs.replace(part, **{self.field: new})
 
@@ -118,11 +118,11 @@ STARTS = (
     _number("masses", "position", "Start x", axis=0),
     _number("masses", "position", "Start y", axis=1),
 )
-"""Where masses start, in the saved pose if there is one: of several the middle, and they move together."""
+"""Start positions of masses, in the saved pose if there is one: of several the middle; they move together."""
 
 
 def number(kind: str, field: str) -> Number:
-    """One of `NUMBERS`.
+    """Return one of `NUMBERS`.
 
     Raises:
         SettingError: there is none of that name.
@@ -135,7 +135,7 @@ def number(kind: str, field: str) -> Number:
 
 
 def values_of(scene: Scene, of: Number, parts: Collection[int]) -> set[float | None]:
-    """The different values that some parts have."""
+    """Return the different values that some parts have."""
     if of.axis is not None or "." in of.field:
         every = getattr(scene, of.kind)
         return {of.of_part(every[i]) for i in parts}
@@ -146,18 +146,18 @@ def values_of(scene: Scene, of: Number, parts: Collection[int]) -> set[float | N
 def set_number(
     scene: Scene, of: Number, parts: Collection[int], value: float | None, shift: float = 0.0
 ) -> Edit:
-    """A number of some parts, all to the same value; None takes it away where it may be missing.
+    """Set a number of some parts to the same value; None removes it where it is optional.
 
     Args:
-        scene: whose parts.
-        of: which number.
+        scene: the scene with the parts.
+        of: the number.
         parts: their indices.
-        value: the new one.
-        shift: degrees that keys have added to all rest angles since the scene was put in place; the value of
-            a rest angle is with them.
+        value: the new value.
+        shift: degrees that keys have added to all rest angles since the scene was last set; the value of a
+            rest angle includes them.
 
     Raises:
-        SettingError: the value is out of range, or the number does not go with the others of a part.
+        SettingError: the value is out of range, or the number contradicts the others of a part.
         SceneError: a part does not exist.
     """
     _refuse_value(of, value)
@@ -169,9 +169,9 @@ def set_number(
 def scale_number(
     scene: Scene, of: Number, parts: Collection[int], largest: float, shift: float = 0.0
 ) -> Edit:
-    """A number of some parts so that the largest gets a value and the others keep their proportions to it.
+    """Scale a number of some parts so that the largest gets a value and the others keep their ratio to it.
 
-    The largest is that of the largest size; where it is negative, it is the size that gets the value.
+    The largest is that of the largest magnitude; if it is negative, its magnitude gets the value.
 
     Args:
         scene, of, parts, shift: as in `set_number`.
@@ -194,16 +194,16 @@ def scale_number(
 
 
 def middle_of_starts(scene: Scene, of: Number, masses: Collection[int]) -> float:
-    """The coordinate of one of `STARTS`, px: of several masses that of the middle of their bounding box."""
+    """Return a coordinate in `STARTS`, px: for several masses, of the centre of their bounding box."""
     starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
     values = [starts[i][of.axis or 0] for i in masses]
     return (min(values) + max(values)) / 2.0
 
 
 def set_start(scene: Scene, of: Number, masses: Collection[int], value: float) -> Edit:
-    """Masses moved together, so that they start with their middle at a coordinate, one of `STARTS`.
+    """Move masses together so that their middle starts at a coordinate, one of `STARTS`.
 
-    They are moved by as much where they are now. Springs keep their rest lengths.
+    Their current positions move by the same amount. Springs keep their rest lengths.
 
     Raises:
         SettingError: the value is out of range.
@@ -215,11 +215,11 @@ def set_start(scene: Scene, of: Number, masses: Collection[int], value: float) -
 
 
 def take_as_rest(moment: Moment, parts: Selection) -> Edit:
-    """The selected springs and joints rest as they are at a moment; of masses alone, all that they move. What
-    a muscle moves rests as it is then, too, and is moved on from there.
+    """Make the selected springs and joints rest as they are at a moment; if only masses are selected, all
+    those that these move. Parts with muscles also rest as they are then, and continue to move from there.
 
     Raises:
-        SettingError: there is nothing that could rest, or a spring is too long.
+        SettingError: no springs or joints are affected, or a spring is too long.
     """
     scene, damage, places = of_parts(moment.scene), moment.damage or Damage(), positions_of(moment)
     springs, joints = parts.springs, parts.joints
@@ -253,7 +253,7 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
 
 
 def _turned(angle: float, by: float) -> float:
-    """A rest angle, degrees, turned and wrapped into (-180, 180]; exactly itself where it is not turned."""
+    """Return a rest angle, degrees, turned and wrapped into (-180, 180]; unchanged if it is not turned."""
     return wrapped_degrees(angle + by) if by else angle
 
 
@@ -282,7 +282,7 @@ def _with_values(scene: Scene, of: Number, values: dict[int, float | None], labe
 
 
 def _refuse_contradiction(part: Mass | LinearSpring | AngularSpring) -> None:
-    """As `sim.scene.validate` refuses it in a file."""
+    """Refuse contradictory numbers, as `sim.scene.validate` does in a file."""
     match part:
         case LinearSpring(yield_force=None, hardening=hardening) if hardening:
             raise SettingError("Hardening: it has no effect on a spring without a yield force")

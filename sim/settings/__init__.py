@@ -46,12 +46,13 @@ TEMPLATES: tuple[int, ...] = get_args(Template)
 
 
 def settings_of(scene: Scene) -> list[Setting]:
-    """The settings that apply to the scene, in the order of the panel; those of its recipes come last."""
+    """Return the settings that apply to the scene, in the order of the panel; those of its recipes come
+    last."""
     return [setting for setting in SETTINGS.values() if setting.applies(scene)] + recipe_settings(scene)
 
 
 def setting_of(scene: Scene, key: str) -> Setting:
-    """The setting of that name.
+    """Return the setting of that name.
 
     Raises:
         SettingError: there is none, or it has no effect on the scene.
@@ -68,7 +69,7 @@ def setting_of(scene: Scene, key: str) -> Setting:
 
 
 def no_use(key: str, scene: Scene) -> str:
-    """Why a setting or a choice has no effect on a scene, in a sentence without a full stop."""
+    """Return why a setting or choice has no effect on a scene, in a sentence without a full stop."""
     if key == "tolerance":
         method = METHODS[scene.integrator.method]
         return f"{key}: the method {method.name} has a fixed step, so it takes no tolerance"
@@ -96,7 +97,7 @@ class Choice:
 
 
 def set_choice(scene: Scene, key: str, value: str) -> Scene:
-    """The scene with another choice made.
+    """Return the scene with another choice made.
 
     Raises:
         SettingError: there is no such choice, it does not apply to the scene, or the value is not one of its
@@ -113,14 +114,14 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
 
 
 def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
-    """The scene with one setting changed, which is a number; `set_choice` is for those that are names.
+    """Return the scene with one numeric setting changed; `set_choice` is for those that are names.
 
     Args:
-        scene: whose setting.
-        key: its name.
-        value: the new one.
-        time: of the run that goes on with it, s: at another tempo the waves of muscles go on from where they
-            are then.
+        scene: the scene.
+        key: name of the setting.
+        value: its new value.
+        time: of the run that continues with it, s: at another tempo the waves of muscles continue from their
+            phase at this time.
 
     Raises:
         SettingError: there is no such setting, it does not apply to the scene, or the value is out of range.
@@ -144,7 +145,7 @@ def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
 
 
 def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
-    """The scene with `KEY=VALUE` assignments applied in order, to settings and choices.
+    """Return the scene with `KEY=VALUE` assignments applied in order, to settings and choices.
 
     Raises:
         SettingError: as `set_value` and `set_choice`, or an assignment is not KEY=VALUE with a finite number.
@@ -165,20 +166,20 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
 
 
 def scene_of_step(scene: Scene, number: int) -> Scene:
-    """The scene with what a step of its lesson sets.
+    """Return the scene with the settings of a step of its lesson.
 
     Args:
-        scene: one with a lesson.
+        scene: a scene with a lesson.
         number: of the step, counted from 0.
 
     Raises:
-        SettingError: there is no such step, or something that it sets cannot be set; names the field.
+        SettingError: there is no such step, or one of its settings cannot be applied; names the field.
     """
     return _applied(scene, _step(scene, number).settings, f"lesson.steps[{number}].settings")
 
 
 def scene_of_run(scene: Scene, number: int) -> Scene:
-    """The scene of a step as it is when its run begins: with what that changes, pulls and leads.
+    """Return the scene of a step at the beginning of its run: with the run's changes, pulls and leads.
 
     Args and errors: as for `scene_of_step`.
     """
@@ -209,7 +210,7 @@ def _applied(scene: Scene, assignments: Sequence[str], where: str) -> Scene:
 
 
 def _pulled(scene: Scene, pulls: Sequence[Pull], where: str) -> Scene:
-    """The scene with some masses somewhere else at its start, and nothing else changed."""
+    """Return the scene with only the start positions of some masses changed."""
     pose = scene.pose or Pose(
         positions=tuple(mass.position for mass in scene.masses),
         velocities=tuple(mass.velocity for mass in scene.masses),
@@ -224,7 +225,7 @@ def _pulled(scene: Scene, pulls: Sequence[Pull], where: str) -> Scene:
 
 
 def _led(scene: Scene, leads: Sequence[Lead], where: str) -> Scene:
-    """The scene with some masses held, each going round a circle; its parts are its own from then on."""
+    """Return the scene with some masses held and moving round circles; it no longer has recipes."""
     anchors = {anchor.mass: anchor for anchor in scene.anchors}
     for i, lead in enumerate(leads):
         if lead.mass >= len(scene.masses):
@@ -234,7 +235,7 @@ def _led(scene: Scene, leads: Sequence[Lead], where: str) -> Scene:
 
 
 def _with_muscles(scene: Scene, muscles: Sequence[RunMuscle], where: str) -> Scene:
-    """The scene with other muscles at some joints; its parts are its own from then on."""
+    """Return the scene with other muscles at some joints; it no longer has recipes."""
     joints = list(scene.angular_springs)
     for i, one in enumerate(muscles):
         if one.joint >= len(joints):
@@ -246,9 +247,9 @@ def _with_muscles(scene: Scene, muscles: Sequence[RunMuscle], where: str) -> Sce
 
 
 def shift_rest_angles(scene: Scene, degrees: float) -> Scene:
-    """The scene with every rest angle shifted by some degrees (|degrees| <= 360), wrapped into (-180, 180].
+    """Return the scene with all rest angles shifted by |degrees| <= 360 and wrapped into (-180, 180].
 
-    A scene with one of the eight templates becomes one without; its joints keep the template's stiffness.
+    One of the eight templates is removed; its joints keep the template's stiffness.
     """
     stiffness = joint_stiffness(scene)
     if scene.bodies:
@@ -277,13 +278,13 @@ def _write_rest_angle(scene: Scene, value: float) -> Scene:
 
 
 def _all_ropes(scene: Scene) -> list[Rope]:
-    """The scene's recipes if all are ropes, which have one rest angle each; otherwise none."""
+    """Return the scene's recipes if all are ropes, which have one rest angle each; otherwise none."""
     ropes = [body for body in scene.bodies if isinstance(body, Rope)]
     return ropes if len(ropes) == len(scene.bodies) else []
 
 
 def _read_gravity(scene: Scene) -> float:
-    """The magnitude of gravity, negative where it points up the screen."""
+    """Return the magnitude of gravity, negative where it points up the screen."""
     x, y = scene.gravity
     down = y if scene.view.y_down else -y
     return math.copysign(math.hypot(x, y), down or x) if x else down
@@ -311,9 +312,9 @@ def _write_template(scene: Scene, value: float) -> Scene:
     return msgspec.structs.replace(scene, template=template)
 
 
-# ------------------------------------------------------------------------- when they apply
+# ------------------------------------------------------------------------- conditions
 def moves(scene: Scene) -> bool:
-    """Whether any mass is free."""
+    """Return whether any mass is free."""
     return len(scene.anchors) < len(scene.masses)
 
 
@@ -342,7 +343,7 @@ def _has_ground(scene: Scene) -> bool:
 
 
 def _bounces_are_softened(scene: Scene) -> str:
-    """See `sim.forces.touch.push`: explicit methods with a fixed step soften what they cannot resolve."""
+    """Return a remark if the method softens bounces that it cannot resolve, see `sim.forces.touch.push`."""
     softens = not (METHODS[scene.integrator.method].implicit or METHODS[scene.integrator.method].adaptive)
     return "with a fixed step, fast bounces lose more; with Auto they do not" if softens else ""
 
@@ -356,19 +357,19 @@ def _has_muscles(scene: Scene) -> bool:
 
 
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
-    """Whether a loop is filled so; recipes have settings of their own for what fills them."""
+    """Return whether any loop has this filling; recipes have their own settings for it."""
     return lambda scene: (
         moves(scene) and not scene.bodies and any(isinstance(filling, kind) for filling in scene.fillings)
     )
 
 
 def _has_limit(field: str) -> Callable[[Scene], bool]:
-    """Whether any spring has a limit to what it bears; recipes have settings of their own for that."""
+    """Return whether any spring has this load limit; recipes have their own settings for it."""
     return lambda scene: moves(scene) and not scene.bodies and has_any(scene.linear_springs, field)
 
 
 def _has_rest_angle(scene: Scene) -> bool:
-    """Whether all rest angles can be set by that of the first; most recipes have a bend instead."""
+    """Return whether the first rest angle can set all of them; most recipes have a bend instead."""
     return _has_joints(scene) and (not scene.bodies or bool(_all_ropes(scene)))
 
 
@@ -531,5 +532,5 @@ assert set(CHOICES["restitution"].options) == set(get_args(Restitution))
 
 
 def setting_keys() -> frozenset[str]:
-    """The keys of all settings that any scene can have; those of its only recipe among them."""
+    """Return the keys of all settings that any scene can have, including those of its only recipe."""
     return frozenset(SETTINGS) | {key for kind in get_args(AnyRecipe) for key in keys_of_recipe(kind)}

@@ -1,4 +1,4 @@
-"""Where the numbers of a scene's settings are: how each is read and written, and its range."""
+"""Access to the numbers of a scene's settings: how each is read and written, and its range."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..scene.validate import number_range
 from .recipes import scaled
 
 ROUNDING = 1e-9
-"""Part of a number by which others may differ from it and still count as equal."""
+"""Largest relative difference between numbers that count as equal."""
 
 
 class Access(NamedTuple):
@@ -31,7 +31,8 @@ class Access(NamedTuple):
 
 
 def replaced(path: str) -> Callable[[Scene, Any], Scene]:
-    """What writes a field of a scene, or of a part that it has, as in "gravity" or "wind.turbulence"."""
+    """Return a function that writes a field of a scene, or of one of its parts, as in "gravity" or
+    "wind.turbulence"."""
     *part, field = path.split(".")
 
     def write(scene: Scene, value: Any) -> Scene:
@@ -42,11 +43,11 @@ def replaced(path: str) -> Callable[[Scene, Any], Scene]:
 
 
 def at(kind: type, path: str) -> Access:
-    """The number at a path, see `replaced`; it reads 0 where the scene has no such part.
+    """Return access to the number at a path, see `replaced`; it reads 0 if the scene has no such part.
 
     Args:
-        kind: of the part, or of the scene.
-        path: to the number.
+        kind: type of the part, or of the scene.
+        path: path to the number.
     """
     *part, field = path.split(".")
 
@@ -58,11 +59,11 @@ def at(kind: type, path: str) -> Access:
 
 
 def largest(kind: type, parts: str, field: str) -> Access:
-    """The largest of a number of all parts of a kind that have it; the others keep their proportions to it.
+    """Return access to the largest value of a number among parts; the others keep their ratio to it.
 
     Args:
-        kind: of the parts; there may be others among them.
-        parts: the field of the scene that has them.
+        kind: type of the parts; the field may also have others.
+        parts: the field of the scene with the parts.
         field: the number.
     """
     are_springs = kind in (LinearSpring, AngularSpring)
@@ -79,7 +80,7 @@ def largest(kind: type, parts: str, field: str) -> Access:
         return float(values(scene).max(initial=0.0))
 
     def write(scene: Scene, value: float) -> Scene:
-        """If all were zero, all are set."""
+        """Scale all to the new largest value; if all were zero, set all to it."""
         old = read(scene)
         if are_springs and scene.bodies:
             return scaled(scene, parts, field, value, old)
@@ -93,7 +94,7 @@ def largest(kind: type, parts: str, field: str) -> Access:
         return msgspec.structs.replace(scene, **{parts: tuple(map(changed, getattr(scene, parts)))})
 
     def differ(scene: Scene) -> bool:
-        """By more than they do after being scaled."""
+        """Return whether they differ by more than rounding after scaling."""
         found = values(scene)
         return found.size > 1 and float(np.ptp(found)) > ROUNDING * float(np.abs(found).max())
 
@@ -102,25 +103,25 @@ def largest(kind: type, parts: str, field: str) -> Access:
 
 # ------------------------------------------------------------------------- wind
 def wind_speed(scene: Scene) -> float:
-    """px/s; 0 without wind."""
+    """Return the wind speed, px/s; 0 without wind."""
     speed = math.hypot(*scene.wind.velocity) if scene.wind else 0.0
     return _neat(speed) if speed >= STILL_AIR else 0.0
 
 
 def wind_direction(scene: Scene) -> float:
-    """The direction to which it blows on the screen: degrees, 0 to the right, 90 upwards."""
+    """Return the direction in which the wind blows on the screen: degrees, 0 to the right, 90 upwards."""
     x, y = scene.wind.velocity if scene.wind else (0.0, 0.0)
-    return _neat(math.degrees(math.atan2(-y if scene.view.y_down else y, x))) + 0.0  # without a sign of zero
+    return _neat(math.degrees(math.atan2(-y if scene.view.y_down else y, x))) + 0.0  # not -0.0
 
 
 def with_wind(scene: Scene, speed: float, direction: float) -> Scene:
-    """The scene, which has wind, with one of another speed, px/s, and direction, degrees."""
+    """Return the scene, which must have wind, with another speed, px/s, and direction, degrees."""
     angle = math.radians(direction if not scene.view.y_down else -direction)
-    # A little is left of it, so that its direction is kept.
+    # A small speed remains, so that the direction is kept.
     size = speed if speed >= STILL_AIR else 0.5 * STILL_AIR
     return replaced("wind.velocity")(scene, (size * math.cos(angle), size * math.sin(angle)))
 
 
 def _neat(value: float) -> float:
-    """A number without the rounding of what it was made from."""
+    """Return a number without the rounding errors of its computation."""
     return float(f"{value:.12g}")

@@ -1,7 +1,7 @@
 """Settings of the recipes in a scene, derived from the annotations of their fields; changes of all recipes.
 
-A number of a recipe can be set if its annotation has the range of a slider. Its key is its field; in a scene
-with several bodies, also where it stands, as in `bodies[1].length`.
+A number of a recipe can be set if its annotation has a slider range. Its key is its field; in a scene with
+several bodies, its path, as in `bodies[1].length`.
 """
 
 from __future__ import annotations
@@ -33,10 +33,11 @@ class Setting:
         applies: whether the setting has any effect on a scene.
         logarithmic: whether its slider is logarithmic.
         integer: whether it takes whole numbers only.
-        differs: whether the parts that it sets have different numbers. Then it reads the largest and scales
-            the others in proportion; of rest angles it reads the first, and turns the others by as much.
-        remark: what whoever sets it in a scene has to know; empty where there is nothing.
-        term: the field's own word, where the label is a plainer one.
+        differs: whether the parts that it sets have different numbers. It then reads the largest and scales
+            the others in proportion; for rest angles it reads the first and turns the others by the same
+            amount.
+        remark: what users should know when they set it in a scene; empty if nothing.
+        term: the technical term, where the label is a plainer one.
     """
 
     key: str
@@ -56,18 +57,18 @@ class Setting:
 
 
 def recipe_settings(scene: Scene) -> list[Setting]:
-    """The settings of the recipes in a scene that have an effect, in the order of bodies and fields."""
+    """Return the settings of a scene's recipes that have an effect, in the order of bodies and fields."""
     alone = len(scene.bodies) == 1
     every = [s for i, body in enumerate(scene.bodies) for s in _settings(type(body), i, alone)]
     return [setting for setting in every if setting.applies(scene)]
 
 
 def keys_of_recipe(kind: type[AnyRecipe]) -> list[str]:
-    """The keys of a recipe's settings, where it is the only one of its scene."""
+    """Return the keys of a recipe's settings in a scene where it is the only one."""
     return [setting.key for setting in _settings(kind, 0, True)]
 
 
-@cache  # so that a panel can tell that the settings are the same as before
+@cache  # so that a panel can recognise unchanged settings
 def _settings(kind: type[AnyRecipe], body: int, alone: bool) -> list[Setting]:
     hints = get_type_hints(kind, include_extras=True)
     before = "" if alone else f"{kind.__name__} {body + 1}: "
@@ -95,7 +96,7 @@ def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bo
         slider=extra["slider"],
         read=lambda scene: float(getattr(scene.bodies[body], field)),
         write=write,
-        # Links refer to masses by index, so with links the numbers of masses stay.
+        # Links refer to masses by index, so with links the number of masses cannot change.
         applies=lambda scene: (
             len(scene.anchors) < len(scene.masses)
             and getattr(scene.bodies[body], field) is not None
@@ -108,13 +109,13 @@ def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bo
 
 # ------------------------------------------------------------------------- changes of all recipes
 def scaled(scene: Scene, springs: str, field: str, value: float, old: float) -> Scene:
-    """The scene with the stiffnesses or dampings of all recipes and links multiplied by value / old.
+    """Return the scene with the stiffnesses or dampings of all recipes and links multiplied by value / old.
 
     Args:
         springs: "linear_springs" or "angular_springs".
         field: "stiffness" or "damping".
-        value: what the largest is to be.
-        old: the largest now; if it is 0, all springs but those of special fields get the value.
+        value: the new largest value.
+        old: the present one; if it is 0, all springs except those of special fields get the value.
     """
     angular = springs == "angular_springs"
 
@@ -134,10 +135,10 @@ def scaled(scene: Scene, springs: str, field: str, value: float, old: float) -> 
 
 
 def turned(scene: Scene, degrees: float, stiffness: list[float]) -> Scene:
-    """The scene with the rest angles of all recipes shifted by |degrees| <= 360, without a template.
+    """Return the scene with the rest angles of all recipes shifted by |degrees| <= 360, without a template.
 
     Args:
-        stiffness: of every angular spring, that of the template included, which ropes keep.
+        stiffness: of every angular spring, including that of the template, which ropes keep.
     """
     bodies, joint = [], 0
     for body in scene.bodies:

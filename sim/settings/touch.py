@@ -1,4 +1,4 @@
-"""How bodies bounce on all that they touch, walls and each other, and whether friction holds them there."""
+"""Restitution and static friction on everything that bodies touch: walls and each other."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from ..scene.surroundings import Contact, Wall
 from ..scene.types import Scene
 
 _MIN_GRAVITY = 1000.0
-"""px/s², by which the stiffness of tangential springs is chosen where there is less."""
+"""Smallest gravity, px/s², that is assumed in choosing the stiffness of tangential springs."""
 
 
 def touched(scene: Scene) -> list[Wall | Contact]:
-    """The walls of a scene, and its contact, if it has any."""
+    """Return the walls of a scene, and its contact, if it has any."""
     return [*scene.walls, *([scene.contact] if scene.contact else [])]
 
 
 def with_restitution(scene: Scene, restitution: Any) -> Scene:
-    """The scene with one restitution, see `Wall`, everywhere."""
+    """Return the scene with the same restitution, see `Wall`, everywhere."""
     replace = msgspec.structs.replace
     walls = tuple(replace(wall, restitution=restitution) for wall in scene.walls)
     contact = replace(scene.contact, restitution=restitution) if scene.contact else None
@@ -30,17 +30,17 @@ def with_restitution(scene: Scene, restitution: Any) -> Scene:
 
 
 def holds(scene: Scene) -> bool:
-    """Whether friction holds on anything that is touched."""
+    """Return whether there is static friction on a wall or in contact."""
     on_walls = any(wall.tangential_hardness for wall in scene.walls)
     return on_walls or bool(scene.contact and scene.contact.tangential_stiffness)
 
 
 def with_grip(scene: Scene, grips: bool) -> Scene:
-    """The scene with friction that holds everywhere, or nowhere.
+    """Return the scene with static friction everywhere or nowhere.
 
-    A tangential spring is as stiff as the push under the weight of a mass: from k d² = m g follows
-    2 k d = 2 sqrt(k m g), with the median mass m of the scene; for walls, which push each mass by its own
-    mass m H d², it is 2 sqrt(H g) m.
+    A tangential spring is as stiff as the push that supports the weight of a mass: k d² = m g gives
+    2 k d = 2 sqrt(k m g), with the median mass m of the scene; for walls, whose push m H d² is proportional
+    to each mass, it is 2 sqrt(H g) m.
     """
     replace = msgspec.structs.replace
     gravity = max(math.hypot(*scene.gravity), _MIN_GRAVITY) if grips else 0.0
