@@ -16,7 +16,7 @@ import sim
 from .animation import animated_glb
 from .body.body import Body
 from .body.data import body_csv, body_json
-from .body.program import c_program, python_program
+from .body.program import c_program, python_program, unknown_forces
 from .clip import Clip, ClipFrame
 from .keyframes import FPS, motion_csv
 from .live.live import live_html
@@ -173,6 +173,10 @@ def _c(source: Source, options: Options) -> Made:
     return Made({"c": code, "h": header}, notes)
 
 
+def _left_out(source: Source) -> list[str]:
+    return [f"{name} are not in it" for name in unknown_forces(source.body.scene)]
+
+
 def _noted(ending: str, made: tuple[bytes, list[str]]) -> Made:
     data, notes = made
     return Made({ending: data}, notes)
@@ -216,12 +220,14 @@ FORMATS = (
     ),
     Format(
         "json", ("json",), "The body's numbers as plain arrays, FILE.json.", "body",
-        lambda source, _: Made({"json": body_json(Body.of(source.body))}),
+        lambda source, _: Made({"json": body_json(Body.of(source.body))}, _left_out(source)),
         Button("JSON", "json", "Numbers of the body (JSON)"),
     ),
     Format(
         "csv", ("zip",), "The body's numbers as tables in CSV, FILE.zip.", "body",
-        lambda source, options: Made({"zip": body_csv(Body.of(source.body), options.decimal_comma)}),
+        lambda source, options: Made(
+            {"zip": body_csv(Body.of(source.body), options.decimal_comma)}, _left_out(source)
+        ),
         Button("CSV", "zip", "Numbers of the body (tables in CSV)"),
     ),
     Format(

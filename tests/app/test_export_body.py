@@ -13,7 +13,7 @@ import zipfile
 from contextlib import redirect_stdout
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, get_args
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -25,10 +25,13 @@ from app.export.body import program
 from app.export.body.body import Body
 from app.export.body.data import body_csv, body_json
 from app.export.body.program import LAWS_IN_PROGRAMS, c_program, plain, python_program
+from app.export.formats import FORMATS, Options, Source
+from app.export.live.live import live_html
 from app.export.live.program import javascript_program
 from sim.errors import InputError
+from sim.forces.all import TERMS
 from sim.forces.joints import LAWS, Law
-from sim.scene.types import Circle, Damage, ForceLaw
+from sim.scene.types import Circle, Damage
 from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
@@ -38,6 +41,15 @@ EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
 CLOSE = 1e-9
 """px"""
+
+
+WRITERS = (
+    python_program,
+    c_program,
+    lambda body: javascript_program(body.moment),
+    lambda body: live_html(body.moment),
+)
+"""Whatever writes a body that moves by itself."""
 
 
 def body_of(scene: sim.Scene) -> Body:
@@ -668,7 +680,21 @@ def test_a_program_refuses_a_law_that_it_does_not_know(monkeypatch: pytest.Monke
     body = body_of(BENT)
     scene = changed(body.scene, force_law="made-up")
     other = replace(body, moment=replace(body.moment, scene=scene))
-    for write in (python_program, c_program, lambda body: javascript_program(body.moment)):
-        with pytest.raises(InputError, match="a program cannot do the force law 'made-up', but tut"):
+    for write in WRITERS:
+        with pytest.raises(InputError, match="cannot do the force law 'made-up', but tut"):
             write(other)
-    assert set(LAWS_IN_PROGRAMS) == set(get_args(ForceLaw))
+
+
+def test_files_refuse_a_force_that_they_do_not_know_and_tables_leave_it_out_with_a_word(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    vortices = replace(TERMS[-1], name="vortices", acts=lambda _: True)
+    monkeypatch.setattr(program, "TERMS", (*TERMS, vortices))
+    body = body_of(BENT)
+    for write in WRITERS:
+        with pytest.raises(InputError, match=r"^a (program|live file) cannot do vortices$"):
+            write(body)
+    source, options = Source(body.moment, [], 0.0), Options("x")
+    for flag in ("json", "csv"):
+        (kind,) = (kind for kind in FORMATS if kind.flag == flag)
+        assert kind.make(source, options).notes == ["vortices are not in it"]

@@ -16,9 +16,10 @@ import numpy as np
 
 import sim
 from sim.errors import InputError
+from sim.forces.all import TERMS
 from sim.forces.touch.walls import WallRow
 from sim.scene.parts import JointMuscle, SpringMuscle
-from sim.scene.types import ForceLaw, Method, is_damageable, shown_name
+from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name
 from sim.solve.registry import METHODS
 
 from .body import Body
@@ -46,7 +47,12 @@ _HYSTERESIS, _GRIP = WallRow._fields.index("hysteresis"), WallRow._fields.index(
 loses, and those of tangential springs."""
 
 LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
-"""The force laws that programs are written for."""
+"""The force laws that programs and live files know."""
+
+TERMS_IN_PROGRAMS = frozenset(
+    ("linear", "angular", "air friction", "resistance", "walls", "fillings", "contact")
+)
+"""The names of the forces that they know, or refuse by themselves."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -74,7 +80,7 @@ class Plan:
         lacks = {"turbulence": "gusts of wind"} if body.gusts else {}
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
-        check_law(body)
+        check_forces(body.scene)
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "
@@ -313,15 +319,26 @@ def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
     return re.sub(r"\n{4,}", "\n\n\n", text).encode("ascii")
 
 
-def check_law(body: Body) -> None:
-    """Refuses a law of joints that programs do not know.
+def check_forces(scene: Scene, what: str = "a program") -> None:
+    """Refuse what acts on a body and is not known outside softrod.
+
+    Args:
+        scene: a valid scene.
+        what: the kind of file, with its article.
 
     Raises:
-        InputError: it is such a one.
+        InputError: there is such a force law or force.
     """
-    law = body.scene.force_law
-    if len(body.joints) and law not in LAWS_IN_PROGRAMS:
-        raise InputError(f"a program cannot do the force law {law!r}, but {', '.join(LAWS_IN_PROGRAMS)}")
+    law = scene.force_law
+    if scene.angular_springs and law not in LAWS_IN_PROGRAMS:
+        raise InputError(f"{what} cannot do the force law {law!r}, but {', '.join(LAWS_IN_PROGRAMS)}")
+    if unknown := unknown_forces(scene):
+        raise InputError(f"{what} cannot do {' and '.join(unknown)}")
+
+
+def unknown_forces(scene: Scene) -> list[str]:
+    """Names of the forces on a scene's body that are not known outside softrod."""
+    return [term.name for term in TERMS if term.name not in TERMS_IN_PROGRAMS and term.acts(scene)]
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:

@@ -17,6 +17,7 @@ from sim.scene.types import shown_name
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
+from ..body.program import check_forces
 from ..clip import ClipFrame
 from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
 from .data import body_data
@@ -39,9 +40,11 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
         bar: what leads to other files, for one that is not alone.
 
     Raises:
-        InputError: a position or a velocity is not a finite number.
+        InputError: a position or a velocity is not a finite number, or it does not know a force or the force
+            law.
     """
     scene = moment.scene
+    check_forces(scene, "a live file")
     title = html.escape(shown_name(scene))
     style, script = _looks()
     notes = _notes(scene)

@@ -14,7 +14,7 @@ from sim.scene.types import shown_name
 
 from ...bundle import joined
 from ..body.body import Body
-from ..body.program import LICENCE, check_law, counted, plain, time_step, wrapped
+from ..body.program import LICENCE, check_forces, counted, plain, time_step, wrapped
 from .data import body_data
 
 _START = Path(__file__).parent / "static" / "game.js"
@@ -33,10 +33,11 @@ def javascript_program(moment: sim.Moment) -> tuple[bytes, list[str]]:
     Its step is the scene's, unless that is beyond the stability limit; then it is a whole part of it.
 
     Raises:
-        InputError: a position or a velocity is not a finite number, or programs do not know the force law.
+        InputError: a position or a velocity is not a finite number, or programs do not know a force or the
+            force law.
     """
     body = Body.of(moment)
-    check_law(body)
+    check_forces(body.scene)
     dt, notes = time_step(body)
     head = "".join(f"// {line}".rstrip() + "\n" for line in _about(body, notes))
     text = f"""// @ts-check
