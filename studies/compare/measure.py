@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -11,6 +10,7 @@ from .runs import (
     FAILURES,
     FRAME,
     SECONDS,
+    WALL,
     Clock,
     Floats,
     Point,
@@ -174,19 +174,19 @@ class Timing:
 
     Attributes:
         turns: turns of timing that a point deserves.
-        clock: wall time, or processor time where an engine may use several threads.
+        clocks: see `run`.
         duration: simulated time of a run, s.
         patience: seconds of computing per simulated second after which a run is given up.
     """
 
     turns: Callable[[Point], int]
-    clock: Clock = time.perf_counter
+    clocks: Sequence[Clock] = WALL
     duration: float = SECONDS
     patience: float = math.inf
 
     def run(self, runner: Runner) -> Trial:
         """Run once, in seconds of computing per simulated second."""
-        trial = run(runner, self.clock, self.patience * self.duration)
+        trial = run(runner, self.clocks, self.patience * self.duration)
         return Trial(trial.path, trial.seconds / self.duration, trial.failure)
 
     def shortest(self, runner: Runner) -> float:

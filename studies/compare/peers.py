@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -19,7 +18,7 @@ from .engine import Engine
 from .heaps import judge_heap
 from .measure import Contender, Judge, Timing, against, measure
 from .references import reference
-from .runs import PATIENCE, SECONDS, Point
+from .runs import OF_ALL_THREADS, PATIENCE, SECONDS, Point
 from .scenes import COUNT, HEAP_SECONDS, HEAPS, MANY, NAMES, PATHS, ropes
 
 QUICK = ("rope-12", "net-100-soft", "heap-120")
@@ -114,7 +113,7 @@ def _judge(name: str) -> Judge:
 def _timing(name: str, turns: int) -> Timing:
     return Timing(
         turns=lambda point: turns if point.seconds <= SHORT else 1,
-        clock=time.process_time,
+        clocks=OF_ALL_THREADS,
         duration=HEAP_SECONDS if name in HEAPS else SECONDS,
         patience=PATIENCE,
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import io
+import itertools
 import math
 from collections.abc import Callable
 from pathlib import Path
@@ -25,7 +26,7 @@ from studies.compare.engines import c_loop, jax_loops, lanes, softrod
 from studies.compare.figures import front, peers_figures
 from studies.compare.measure import Contender, Timing, against, ladder, measure
 from studies.compare.peers import bench_peers, contenders_of
-from studies.compare.runs import SECONDS, SOFTROD, Failed, Floats, Point, Runner
+from studies.compare.runs import SECONDS, SOFTROD, Failed, Floats, Point, Runner, run
 from studies.compare.scenes import HEAPS, MANY, PATHS, NamedScene, ropes
 from studies.reporting.report import markdown
 from tests.amount import NIGHT
@@ -132,15 +133,15 @@ def test_who_has_contact_makes_heaps_of_the_same_rings(name: str, monkeypatch: p
 def test_many_ropes_move_alike_however_they_are_computed() -> None:
     all_ropes = lanes.Lanes(ropes(lanes.LANES))
     ends: dict[str, Floats] = {}
-    for what, run in {
+    for what, runner in {
         "one by one": lanes.OneByOne(all_ropes, 1920.0),
         "eights": lanes.Eights(all_ropes, 1920.0, True),
         "eights, Euler": lanes.Eights(all_ropes, 7680.0, False),
         "array": lanes.AllInOne(all_ropes, 960.0),
     }.items():
-        run.restart()
-        run.advance()
-        ends[what] = run.end
+        runner.restart()
+        runner.advance()
+        ends[what] = runner.end
     assert np.abs(ends["eights"] - ends["one by one"]).max() < 1e-6
     assert 1e-3 < np.abs(ends["eights, Euler"] - ends["one by one"]).max() < 0.2
     assert np.abs(ends["array"] - ends["one by one"]).max() < 0.2
@@ -212,6 +213,19 @@ def test_the_loop_in_c_leaves_the_arithmetic_of_others_alone() -> None:
     c_loop.library()
     least = np.finfo(float).tiny
     assert 0.5 * least > 0.0
+
+
+def test_what_one_clock_does_not_see_another_does() -> None:
+    """Processor time lags behind what another thread computes, and wall time does not count two threads."""
+
+    def clock(rate: float) -> Callable[[], float]:
+        return lambda: rate * next(ticks)
+
+    runner = Pretended(np.zeros((3, 2)), 1.0)
+    for rates in ((0.1, 2.0), (2.0, 0.1)):
+        ticks = itertools.count()
+        seconds = run(runner, [clock(rate) for rate in rates]).seconds
+        assert seconds == pytest.approx(2.0 * 2.0)  # two readings later, by the faster one
 
 
 def test_settings_are_tried_and_timed_again() -> None:
