@@ -242,7 +242,7 @@ class Class:
         None until that is known, which takes a moment in another thread, and where the step cannot begin.
         """
         if stop not in self._bounds:
-            self._bounds[stop] = self._maker.submit(self._find_bounds, stop)
+            self._bounds[stop] = self._judge.submit(self._find_bounds, stop)
         found = self._bounds[stop]
         return found.result() if found.done() and found.exception() is None else None
 

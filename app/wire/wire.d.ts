@@ -42,25 +42,25 @@ export type LessonName = { name: string; title: string };
 export type Entry = { name: string; title: string; line: string; text: string; group: string; own: boolean; saved: boolean };
 /** What the script shows of a step, see `sim.scene.lesson.Step`. */
 export type LessonStep = { title: string; do: string; watch: string; question: Question | null; run: boolean };
-/** A question with answers to choose from. */
+/** A multiple-choice question. */
 export type Question = { text: string; choices: string[]; answer: number; because: string };
 /** One step of a lesson. */
 export type Step = { title: string; question: Question | null; do: string; watch: string; settings: string[]; run: StepRun; controls: string[]; plots: string[] | null; arrows: ("forces" | "torques" | "velocities")[] | null; ghost: string | null; predict: number | null; goal: Goal | null; collect: Reading | null };
-/** What is shown once a step has asked: the case that its question is about. */
+/** What is shown after a step's question: the case that it is about. */
 export type StepRun = { settings: string[]; pulls: Pull[]; leads: Lead[]; muscles: RunMuscle[] };
-/** A mass that is moved before a run begins, and let go as it does. */
+/** A mass that is displaced before a run begins and released as it does. */
 export type Pull = { mass: number; by: [number, number] };
-/** A mass that is led while a run goes on, as an anchor that moves. */
+/** A mass that is guided during a run, like a moving anchor. */
 export type Lead = { mass: number; circle: Circle };
-/** The motion of an anchor that goes round a circle. */
+/** The motion of an anchor on a circle. */
 export type Circle = { radius: number; frequency: number; ramp: number };
-/** The muscle that a joint has in a run. */
+/** A joint's muscle during a run. */
 export type RunMuscle = { joint: number; muscle: JointMuscle | null };
 /** The muscle of an angular spring: amplitude times the wave is added to its rest angle. */
 export type JointMuscle = { phase: number; wave: "pulse" | "sine"; per_beat: number; amplitude: number };
-/** What is to be reached: a reading from `low` to `high`, for `seconds` in one go. */
+/** A goal to be reached: a reading from `low` to `high`, for `seconds` without interruption. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
-/** Something that is read off a run. */
+/** A value read from a run. */
 export type Reading = { quantity: string; of: "period" | "value" };
 /** A slider or a list that a step can offer. */
 export type LessonControl = { key: string; label: string };

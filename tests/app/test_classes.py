@@ -202,6 +202,22 @@ def test_answers_do_not_wait_for_the_zip(class_folder: Path, monkeypatch: pytest
     made.set()
 
 
+def test_a_server_that_ends_does_not_wait_for_the_bounds_of_a_motion(
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    classes = Classes()
+    classroom = classes.begin(a_room().scenes)
+    begun, ended = threading.Event(), threading.Event()
+    monkeypatch.setattr(live, "motion_bounds", lambda _: begun.set() or ended.wait(10.0))
+    assert classroom.bounds(0) is None
+    assert begun.wait(10.0)
+    began = time.monotonic()
+    classes.close()
+    assert not ended.is_set()
+    assert time.monotonic() - began < 5.0  # it would be ten
+    ended.set()
+
+
 @pytest.mark.parametrize("ends", [False, True])
 def test_bodies_that_wait_behind_the_zip_as_everything_ends_are_no_error(
     class_folder: Path, monkeypatch: pytest.MonkeyPatch, ends: bool
@@ -227,7 +243,10 @@ def test_bodies_that_wait_behind_the_zip_as_everything_ends_are_no_error(
         assert after.body(1) == b"where it is"
 
 
-def test_where_a_body_is_is_kept_only_for_seats_that_there_are(class_folder: Path) -> None:
+def test_where_a_body_is_is_kept_only_for_seats_that_there_are(
+    class_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(live, "BODIES_EVERY", 0.1)
     classroom = Classes().begin(a_room().scenes)
     for secret in SECRETS[:3]:
         classroom.keep_body(classroom.room.enter(secret).number, b"x")
