@@ -10,6 +10,8 @@ import time
 from collections.abc import Sequence
 from typing import TypeVar
 
+import pytest
+
 T = TypeVar("T")
 
 NIGHT = bool(os.environ.get("SOFTROD_NIGHT"))
@@ -17,6 +19,15 @@ NIGHT = bool(os.environ.get("SOFTROD_NIGHT"))
 
 # In the environment, so that all processes of a run take the same day, midnight or not.
 _TODAY = int(os.environ.setdefault("SOFTROD_DAY", str(int(time.time() // 86400))))
+
+
+def every_other_day(first: bool) -> pytest.MarkDecorator:
+    """For a long test: by day it runs every other day, on others than those that are not `first`."""
+    return pytest.mark.skipif(not NIGHT and (_TODAY % 2 == 0) != first, reason="its turn is tomorrow")
+
+
+at_night = pytest.mark.skipif(not NIGHT, reason="by night")
+"""For a test that takes tens of seconds."""
 
 
 def examples(by_night: int) -> int:

@@ -17,6 +17,7 @@ from app.classroom.live import Class, Classes
 from app.features.classroom.roles import desk_address, seat_address
 from app.pages.check.page import check_address
 from app.server.serve import serving
+from tests.amount import at_night
 from tests.browser.driver import LIMIT, until
 from tests.browser.wires import Wire, wire
 
@@ -117,7 +118,7 @@ def test_a_device_that_can_take_part_says_so_and_the_teacher_reads_it(place: Pla
     phone.context.close()
 
 
-@pytest.mark.parametrize("upgrades", ["refused", "swallowed"])
+@pytest.mark.parametrize("upgrades", ["refused", pytest.param("swallowed", marks=at_night)])
 def test_where_websockets_are_kept_out_the_pages_say_so(
     place: Place, upgrades: Literal["refused", "swallowed"]
 ) -> None:

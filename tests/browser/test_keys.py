@@ -161,7 +161,7 @@ def test_help_and_what_finds_anything_list_the_keys(open_page: OpenPage) -> None
     for row in COMMANDS.values():
         if row.listed:
             desk.page.keyboard.press("Control+a")
-            desk.page.keyboard.type(row.label)
+            desk.page.keyboard.insert_text(row.label)
             listed = palette.all_inner_texts()
             keys = f"key {' or '.join(row.keys)}" if row.keys else ""
             assert any(row.label in text and keys in text for text in listed), row.label

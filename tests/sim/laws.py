@@ -53,6 +53,14 @@ def by_muscle(beat: Beat | UnsetType, muscle: Muscle, t: float) -> float:
     return muscle.amplitude * (up if muscle.wave == "sine" else math.exp(4.0 * up - 4.0))
 
 
+JOINTS: dict[str, Callable[[float], tuple[float, float]]] = {
+    "tutorial": lambda off: (math.sin(off), 1.0 - math.cos(off)),
+    "conservative": lambda off: (math.sin(off), 1.0 - math.cos(off)),
+    "angle": lambda off: (off, 0.5 * off * off),
+}
+"""(torque, energy) of a joint by its deflection, radians, over its stiffness and both lengths."""
+
+
 class Laws:
     """A scene's equations.
 
@@ -95,9 +103,8 @@ class Laws:
         """(torque, energy) of a joint whose springs have the vectors a and b; without its damping."""
         off = wrapped(cmath.phase(a.conjugate() * b) - self.rest_angles[j])
         size = self._strength[j] * abs(a) * abs(b)
-        if self.scene.force_law == "angle":
-            return size * off, 0.5 * size * off * off
-        return size * math.sin(off), size * (1.0 - math.cos(off))
+        torque, energy = JOINTS[self.scene.force_law](off)
+        return size * torque, size * energy
 
     def forces(self, positions: Complexes, speeds: Complexes) -> Complexes:
         """What springs and joints do to each mass."""

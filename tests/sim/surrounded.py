@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import msgspec
 import numpy as np
-from msgspec.structs import replace
+from msgspec.structs import fields, replace
 
 from sim import Scene, Simulation
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
@@ -97,8 +96,8 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
 
 def bare(scene: Scene) -> Scene:
     """The scene without anything that surrounds or touches the body."""
-    nothing = {"medium": msgspec.UNSET, "ground": msgspec.UNSET}
-    return replace(scene, walls=(), wind=None, fillings=(), contact=None, **nothing)
+    added = {name for kind in KINDS.values() for name in kind} | {"contact"}
+    return replace(scene, **{each.name: each.default for each in fields(Scene) if each.name in added})
 
 
 def force_around(scene: Scene) -> tuple[Floats, Floats]:

@@ -20,7 +20,7 @@ from sim.engine import kept
 from sim.engine.addresses import ADDRESSES
 from sim.model.system import build_system
 from sim.solve.registry import METHODS
-from tests.amount import part_of
+from tests.amount import at_night, part_of
 from tests.sim.builders import built
 from tests.sim.inside import hash_from
 
@@ -191,6 +191,7 @@ def test_a_broken_file_is_compiled_again(compiled: Path, tmp_path: Path) -> None
     assert python(COMPILE_ONE, tmp_path) == "False True False True"
 
 
+@at_night
 def test_a_second_environment_finds_what_the_first_has_compiled(compiled: Path, tmp_path: Path) -> None:
     cache, other = tmp_path / "cache", tmp_path / "environment"
     shutil.copytree(compiled, cache)

@@ -17,7 +17,7 @@ from tests.sim.bodies import LAWS, SHAPES, body
 from tests.sim.builders import built
 from tests.sim.changes import with_joints
 from tests.sim.inside import forces_of, general, put, spring_forces, system_of
-from tests.sim.laws import Laws, complexes, points
+from tests.sim.laws import JOINTS, Laws, complexes, points
 
 DAMPINGS = [
     pytest.param({"damping": 0.0, "twist": 0.0}, id="undamped"),
@@ -105,12 +105,8 @@ def test_couple_and_pull_of_a_joint(law: ForceLaw, rest: float, off: float) -> N
     scene = two_springs(rest + off, law, rest)
     force, positions = forces_of(scene), np.array([mass.position for mass in scene.masses])
     size, angle = 5.0 * 30.0 * 70.0, math.radians(off)
-    torque = size * (angle if law == "angle" else math.sin(angle))
-    energy = {
-        "tutorial": 0.0,
-        "conservative": size * (1.0 - math.cos(angle)),
-        "angle": 0.5 * size * angle * angle,
-    }[law]
+    torque, energy = (size * each for each in JOINTS[law](angle))
+    energy = 0.0 if law == "tutorial" else energy  # it has no forces along the springs
     for end, sign in ((0, 1.0), (2, -1.0)):
         arm = positions[end] - positions[1]
         turning = arm[0] * force[end][1] - arm[1] * force[end][0]

@@ -203,7 +203,7 @@ IN_BALANCE = [*KINDS, *(kind for kind in TOUCHING if kind.startswith("girder"))]
 BALANCED = product(["auto", "adams", "rodas5p", "rk4", "velocity_verlet"], IN_BALANCE)
 
 
-@pytest.mark.parametrize(("method", "kind"), part_of([*BALANCED], 4))
+@pytest.mark.parametrize(("method", "kind"), part_of([*BALANCED], 5))
 def test_the_balance_closes(method: Method, kind: str) -> None:
     scene = around(kind, 5, held=(2,))
     simulation = Simulation(replace(scene, integrator=Integrator(method=method, dt=1e-5, tolerance=1e-8)))
