@@ -38,7 +38,9 @@ _REFERENCES = "adams", "rodas5p"
 _TIGHT = (1e-3, 1e-6)
 """Tolerances of the references, relative to the smallest error; the tighter one is used only if needed."""
 _SURE = 0.3
-"""Largest difference between the references, relative to an error."""
+"""Largest difference between the references, relative to an error. Doubled,
+`test_where_nothing_can_be_told_it_is_said` fails."""
+# Unless noted, doubling or halving one of these numbers fails no test.
 _LONGEST = 0.2
 """Computing time of a run, s, beyond which no finer setting of its method is tried."""
 _PATIENCE = 3.0

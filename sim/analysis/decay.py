@@ -25,8 +25,10 @@ TENTH = math.log(10.0)
 """Time for an amplitude to fall to a tenth, times its decay rate."""
 
 COUPLED = 60
-"""Number of vibrations, those nearest in frequency, that are assumed to be coupled with one."""
+"""Number of vibrations, those nearest in frequency, that are assumed to be coupled with one. Halved,
+`test_a_blow_fades_as_the_tuning_says_where_damping_couples` fails."""
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _COUPLES = 1e-6
 """Damping between two vibrations, relative to that of one of them, up to which they count as uncoupled."""
 

@@ -26,6 +26,7 @@ from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate
 from ..solve.linear.implicit import factorise_matrix, solve_matrix
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _MAX_STEPS = 3000
 """Largest number of steps."""
 _STUCK = 1000

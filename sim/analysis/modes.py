@@ -36,6 +36,7 @@ from .vibrations import MAX_MASSES, NOTHING, Vibrations
 
 MAX_TOUCHING = 200
 """Largest number of masses of a body with contact, whose equilibrium may take long to find."""
+# Unless noted, doubling or halving one of these numbers fails no test.
 _TRIAL = 1e-4
 """Size of the trial displacement for finding the stiffness against a rigid motion, in spring lengths."""
 _STANDS = 0.2

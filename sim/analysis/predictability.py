@@ -26,6 +26,7 @@ from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 MANY = 100.0
 """Growth of errors per second from which a tolerance may not be met: for random bodies, `auto` meets all
 tolerances where errors grow less; see the study in docs."""

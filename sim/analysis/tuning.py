@@ -28,6 +28,7 @@ from .decay import TENTH, Decay
 from .equilibrium import loaded_equilibrium
 from .vibrations import MAX_MASSES, Vibrations, free_vibrations
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _UPDATES = 4
 """Number of updates of the estimate of the fastest vibration."""
 _CREEP = 1e-3

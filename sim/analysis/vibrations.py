@@ -21,6 +21,7 @@ _NOT_HELD = (
     "vibrations: the springs do not hold the body where it starts, so it does not vibrate there; "
     "sim.equilibrium finds where they do"
 )
+# Unless noted, doubling or halving one of these numbers fails no test.
 _BALANCED = 1e-6
 """Acceleration, relative to the largest from gravity or loads, up to which a body counts as at rest."""
 _ROUNDED = 100.0

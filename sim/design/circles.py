@@ -11,6 +11,7 @@ from ..scene.types import Scene
 
 Floats = NDArray[np.float64]
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _FEWEST = 8
 """Smallest number of points through which a circle is fitted."""
 _FAR = 0.02

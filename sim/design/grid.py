@@ -28,6 +28,7 @@ _CYRILLIC = re.compile(rb"[\xa8\xb8\xc0-\xff]{3}")
 """Three letters of code page 1251 in a row; in 1252 they would be three accented ones."""
 _LONGEST = 100_000
 """Largest number of characters in a line."""
+# Unless noted, doubling or halving one of these numbers fails no test.
 _SAMPLE = 1000
 """Number of lines from which the delimiter is determined."""
 _LONGEST_HEADING = 5
