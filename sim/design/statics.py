@@ -105,7 +105,7 @@ class Statics:
         most: (m,) the largest load on each: for a spring the tension that would need a rest length of zero,
             for a joint the torque that bends it by `MAX_BENT`. Infinite for touching masses.
         is_spring: (m,) whether each is a spring.
-        sides: (m,) 1 for what only pulls or only acts above its rest angle, -1 for the opposite, 0 for others.
+        sides: (m,) 1 for what only pulls or acts above its rest angle only, -1 for the opposite, else 0.
         load: (2 f,) f, kg px/s²: x and y for each free mass, in the order in which they are eliminated.
         scale: the largest magnitude in `load` and among the weights.
     """

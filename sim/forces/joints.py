@@ -466,7 +466,7 @@ class JointsReference:
         )
 
     def forces(self, x: Vectors, v: Vectors, only: np.ndarray | None = None) -> Vectors:
-        """See `Reference`; as if all acted on both sides. `only`: (k,) those that are wanted; None for all."""
+        """See `Reference`; as if all acted on both sides. `only`: (k,) those that are wanted, or all."""
         springs, square, torque, energy = self._joint_trial_state(x, v)
         if only is not None:
             torque, energy = torque * only, energy * only

@@ -172,7 +172,7 @@ class SpringsReference:
         self._ends = np.concatenate((self._b, self._a))
 
     def forces(self, x: Vectors, v: Vectors, only: np.ndarray | None = None) -> Vectors:
-        """See `Reference`; as if all acted on both sides. `only`: (k,) those that are wanted; None for all."""
+        """See `Reference`; as if all acted on both sides. `only`: (k,) those that are wanted, or all."""
         spring, per_length = self._tensions(x, v)
         tension = per_length * spring if only is None else per_length * spring * only
         return summed(self._ends, np.concatenate((tension, -tension)), x.size)

@@ -86,8 +86,10 @@ AROUND = [*KINDS, *TOUCHING, ONE_SIDED]
 
 
 def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
-    """A body in surroundings of a kind, in contact with itself, or of parts that act on one side; `changes` are
-    arguments of `body`."""
+    """A body in surroundings of a kind, in contact with itself, or of parts that act on one side.
+
+    `changes` are arguments of `body`.
+    """
     if kind == ONE_SIDED:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
         return with_joints(

@@ -1,4 +1,4 @@
-"""Springs that only pull or push, and joints that act on one side: closed forms, and what holds for every force."""
+"""Springs that only pull or push, and joints that act on one side, against closed forms."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from msgspec.structs import replace
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.types import Integrator, Method
+from sim.store.files import decode_scene, encode_scene
 from tests.sim.changes import after, by
 
 G = (0.0, 1000.0)
@@ -125,3 +126,27 @@ def test_the_balance_closes_while_ropes_go_slack_and_stops_are_hit(method: Metho
     energy = simulation.energy()
     assert abs(energy.residual) < 1e-4 * (abs(energy.damping) + energy.kinetic)
     assert energy.damping < 0.0
+
+
+def test_keep_shape_gives_a_slack_rope_nothing_to_bear() -> None:
+    """A mass between two ropes: the upper one has all of its weight, and the lower one is just slack."""
+    masses = (Mass(position=(0.0, 0.0)), Mass(position=(0.0, 80.0), mass=2.0), Mass(position=(0.0, 200.0)))
+    ropes = (
+        LinearSpring(a=0, b=1, stiffness=500.0, rest_length=10.0, only="pull"),
+        LinearSpring(a=1, b=2, stiffness=500.0, rest_length=10.0, only="pull"),
+    )
+    scene = Scene(
+        name="between",
+        masses=masses,
+        linear_springs=ropes,
+        anchors=(Anchor(mass=0), Anchor(mass=2)),
+        gravity=G,
+    )
+    kept = sim.keep_shape(scene)
+    assert [spring.rest_length for spring in kept.linear_springs] == pytest.approx([76.0, 120.0])
+    assert sim.equilibrium(kept).positions[1] == pytest.approx((0.0, 80.0), abs=1e-9)
+
+
+def test_a_file_has_it_and_a_spring_of_both_sides_has_nothing_in_it() -> None:
+    assert decode_scene(encode_scene(ROPE), "it") == ROPE
+    assert b"only" not in encode_scene(replace(sim.rope(masses=4), bodies=()))
