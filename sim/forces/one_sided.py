@@ -327,6 +327,7 @@ ONE_SIDED = Term(
     field="one_sided",
     table=OneSided,
     new=new_one_sided,
+    label="springs and joints of one side",
     add_power=_add_power,
     add_derivatives=_add_derivatives,
     add_damping=_add_damping,
