@@ -147,7 +147,14 @@ class Sketch:
         if is_surrounded(scene):
             # Of contact, only the distance is drawn.
             drawn = msgspec.structs.replace(scene, contact=None)
-            self.environment = new_environment(drawn, np.arange(n), self.springs, n)
+            self.environment = new_environment(
+                drawn,
+                np.arange(n),
+                self.springs,
+                n,
+                np.arange(len(self.springs)),
+                np.arange(len(self.joint_a)),
+            )
         self.contact = scene.contact.distance if scene.contact else 0.0
         self.medium, self.ground = bool(scene.medium), bool(scene.ground)
         self.loads = _load_arrows(scene, mapping)

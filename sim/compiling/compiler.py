@@ -25,7 +25,15 @@ from ..engine.addresses import ADDRESSES, address_of
 from ..engine.calls import FLOATS, INDIRECT_CALLS
 from ..engine.kept import file_of, trouble
 from ..engine.tables import Body, PrescribedMotion, Problem, State
-from ..forces.all import PARTS, accelerations, add_damping_product, any_accelerations, parts_of, path_of
+from ..forces.all import (
+    PARTS,
+    accelerations,
+    add_damping_product,
+    any_accelerations,
+    kink_fraction,
+    parts_of,
+    path_of,
+)
 from ..forces.plasticity import commit_plasticity, event_fraction, yielding_accelerations
 from ..forces.touch.contact import no_tunnelling
 from ..forces.touch.friction_history import slip_fraction, update_friction_history
@@ -125,6 +133,7 @@ def _entry_points() -> dict[str, EntryPoint]:
         by_address("steps with contact", no_tunnelling),
         ("forces that yield", yielding_accelerations, INDIRECT_CALLS["accelerations"].args),
         by_address("limits of springs", event_fraction),
+        by_address("where forces have kinks", kink_fraction),
         by_address("where friction begins to slide", slip_fraction),
         by_address("friction that holds", update_friction_history),
         by_address("yielding and breaking", commit_plasticity),
@@ -148,6 +157,11 @@ FOR_STICKING = ("slip_fraction", "update_friction_history")
 
 FOR_DAMAGE = ("yielding_accelerations", "event_fraction", "commit_plasticity")
 """Entry points that a body needs which breaks or yields."""
+
+
+def for_kinks(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that find the kinks of a body's forces, if there are any."""
+    return ("kink_fraction", *parts) if (parts := parts_of(body, "kink_fraction")) else ()
 
 
 def for_forces(body: Body) -> tuple[str, ...]:

@@ -148,14 +148,14 @@ def _balance(body: StaticModel, at: Vectors, springs: Bools, joints: Bools) -> t
     The friction that holds masses along walls is an unknown, too, up to its limit.
     """
     statics = Statics(body, at, springs, joints, Touch.none())
-    x = statics.solve(statics.stiffness)
+    x = statics.without_slack(statics.solve(statics.stiffness))
     touch = _touching(body, at)
     here = at
     for _ in range(_SINKINGS):
         if x is not None or not touch.mass.size:
             break
         trial = Statics(body, here, springs, joints, touch)
-        borne = trial.solve(trial.stiffness)
+        borne = trial.without_slack(trial.solve(trial.stiffness))
         if borne is None:
             break
         pushes = borne[borne.size - touch.mass.size :]
@@ -169,7 +169,7 @@ def _balance(body: StaticModel, at: Vectors, springs: Bools, joints: Bools) -> t
         here = moved
         if change <= _SUNK * float(np.abs(here).max()):
             sunk = Statics(body, here, springs, joints, Touch.none())
-            return sunk, sunk.solve(sunk.stiffness)
+            return sunk, sunk.without_slack(sunk.solve(sunk.stiffness))
     return statics, x
 
 

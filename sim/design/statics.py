@@ -19,6 +19,7 @@ problem for other force laws by descent.)
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from functools import cached_property
@@ -30,6 +31,7 @@ from numpy.typing import NDArray
 from ..analysis.equilibrium import StaticModel
 from ..forces.all import SURROUNDINGS
 from ..forces.joints import IN_NUMPY, TUTORIAL, JointsReference
+from ..forces.one_sided import ONE_SIDED, SIDES
 from ..forces.springs import SpringsReference
 from ..forces.touch.walls import WallRow, WallsReference
 from ..scene.columns import ends
@@ -106,6 +108,7 @@ class Statics:
         most: (m,) the largest load on each: for a spring the tension that would need a rest length of zero,
             for a joint the torque that bends it by `MAX_BENT`. Infinite for touching masses.
         is_spring: (m,) whether each is a spring.
+        sides: (m,) 1 for what only pulls or acts above its rest angle only, -1 for the opposite, else 0.
         load: (2 f,) f, kg px/s²: x and y for each free mass, in the order in which they are eliminated.
         scale: the largest magnitude in `load` and among the weights.
     """
@@ -137,6 +140,13 @@ class Statics:
             )
         )
         self.is_spring = np.arange(self.most.size) < of_springs.size
+        unknown = itertools.chain(
+            itertools.compress(scene.linear_springs, self.springs),
+            itertools.compress(scene.angular_springs, self.joints),
+        )
+        self.sides = np.zeros(self.most.size)
+        for k, part in enumerate(unknown):
+            self.sides[k] = SIDES[part.only] if part.only else 0.0
         order = system.mass_order[body.matrix.order - 1]
         self._rows = order[self.free[order]]
         self.load = self._known()[self._rows].view(np.float64).copy()
@@ -168,12 +178,13 @@ class Statics:
         x[place] = self.at
         still, force = np.zeros_like(x), np.zeros_like(x)
         for term in SURROUNDINGS:
-            force += term.reference(body.tables, state).forces(x, still)
+            if term is not ONE_SIDED:
+                force += term.reference(body.tables, state).forces(x, still)
         order = body.system.spring_order
-        others = np.flatnonzero(~self.springs[order])
-        force += SpringsReference(body.tables, state, others).forces(x, still)
-        others = body.system.joint_order[~self.joints]
-        force += JointsReference(body.tables, state, others).forces(x, still)
+        springs = SpringsReference(body.tables, state, np.flatnonzero(~self.springs[order]))
+        joints = JointsReference(body.tables, state, body.system.joint_order[~self.joints])
+        for others in (springs, joints):
+            force += others.forces(x, still, others.acting(x, still))
         weights = np.array([mass.mass for mass in body.scene.masses])
         known = force[place] + weights * complex(*body.scene.gravity)
         known += np.array([complex(*(mass.force or (0.0, 0.0))) for mass in body.scene.masses])
@@ -230,6 +241,19 @@ class Statics:
         except RuntimeError:  # a pivot is zero
             return None
         return x if self.is_balanced(x) else None
+
+    def without_slack(self, x: Floats | None) -> Floats | None:
+        """Return loads in balance in which no rope pushes and no stop pulls, or None if none are found.
+
+        What would do so bears nothing from now on; the others take over.
+
+        Args:
+            x: loads in balance, or None.
+        """
+        while x is not None and (wrong := self.sides * x < -BALANCED * self.scale).any():
+            self.stiffness[wrong] = 0.0
+            x = self.solve(self.stiffness)
+        return x
 
     def _refined(self, x: Floats, correction: Callable[[Floats], Floats]) -> Floats:
         """Refine iteratively: correct the unknowns for the residual forces, as long as these shrink."""

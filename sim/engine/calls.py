@@ -27,6 +27,7 @@ INDIRECT_CALLS = {
     "add_damping_product": types.void(_BODY, _STATE, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "no_tunnelling": types.boolean(_BODY, FLOATS, FLOATS),
     "event_fraction": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
+    "kink_fraction": _FLOAT(_PROBLEM, *[FLOATS] * 4, _FLOAT, _FLOAT),
     "slip_fraction": types.float64(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT, _FLOAT),
     "update_friction_history": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
     "commit_plasticity": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
@@ -40,6 +41,7 @@ _solve_matrix = calls(INDIRECT_CALLS["solve_matrix"])
 _add_damping_product = calls(INDIRECT_CALLS["add_damping_product"])
 _no_tunnelling = calls(INDIRECT_CALLS["no_tunnelling"])
 _event_fraction = calls(INDIRECT_CALLS["event_fraction"])
+_kink_fraction = calls(INDIRECT_CALLS["kink_fraction"])
 _slip_fraction = calls(INDIRECT_CALLS["slip_fraction"])
 _update_friction_history = calls(INDIRECT_CALLS["update_friction_history"])
 _commit_plasticity = calls(INDIRECT_CALLS["commit_plasticity"])
@@ -86,12 +88,16 @@ def no_tunnelling(problem, q, to_q):
 @kernel(inline="always")
 def event_fraction(problem, old, new, h, tolerance):
     """Return the fraction of a step to try instead of it: from `forces.plasticity.event_fraction`, where
-    anything yields or breaks, and from `forces.touch.friction_history.slip_fraction`, where there are
-    tangential springs."""
+    anything yields or breaks, from `forces.all.kink_fraction`, where a force has kinks, and from
+    `forces.touch.friction_history.slip_fraction`, where there are tangential springs."""
     part = 1.0
     if problem.event_fraction != 0:
         part = _event_fraction(
             problem.event_fraction, problem, old.q, old.v, new.q, new.v, new.a, h, tolerance
+        )
+    if problem.kink_fraction != 0:
+        part = min(
+            part, _kink_fraction(problem.kink_fraction, problem, old.q, old.v, new.q, new.v, h, tolerance)
         )
     if problem.slip_fraction != 0:
         part = min(

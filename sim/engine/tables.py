@@ -520,6 +520,7 @@ class Problem(Table):
     add_damping_product: int
     no_tunnelling: int
     event_fraction: int
+    kink_fraction: int
     slip_fraction: int
     update_friction_history: int
     commit_plasticity: int

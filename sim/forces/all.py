@@ -17,7 +17,9 @@ from ..engine.lanes import eight_at_a_time, whole_eights
 from ..engine.tables import Body
 from .air import AIR, add_damping_of_still_air, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
+from .events import LARGEST_PART, UNSEEN
 from .fillings import FILLINGS
+from .one_sided import ONE_SIDED
 from .resistance import RESISTANCE
 from .runs import JOINTS, SPRINGS, clear
 from .springs import accelerations_by
@@ -25,7 +27,7 @@ from .term import SIGNATURES, Term
 from .touch.contact import CONTACT
 from .touch.walls import WALLS
 
-TERMS = (SPRINGS, JOINTS, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
+TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
 """The forces; each is added to those before it."""
 
 SURROUNDINGS = tuple(term for term in TERMS if term.field)
@@ -42,9 +44,9 @@ ENERGIES = OTHERS + len(WITH_ENERGY)
 
 _OF_TERM = len(SIGNATURES)
 """Kernels that a term may have; their numbers in `ADDRESSES` follow each other."""
-_FORCES, _ENERGY, _POWER, _DERIVATIVES, _DAMPING, _IMPACT = range(_OF_TERM)
+_FORCES, _ENERGY, _POWER, _DERIVATIVES, _DAMPING, _IMPACT, _KINK = range(_OF_TERM)
 _CHAIN, _ANY = (_OF_TERM * len(TERMS) + path for path in range(2))
-_call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact = map(
+_call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact, _call_kink = map(
     calls, SIGNATURES.values()
 )
 _call_accelerations = calls(INDIRECT_CALLS["accelerations"])
@@ -156,6 +158,20 @@ def impact_time(body, state, q, v, a, h):
         elif at == 0:
             shortest = np.nan
     return shortest
+
+
+@kernel(internal=True, fastmath=FAST)
+def kink_fraction(problem, q, v, to_q, to_v, h, tolerance):
+    """See `Term.kink_fraction`; the tolerance is that of the method, px per second."""
+    body, state, part = problem.body, problem.state, 1.0
+    around = body.environment
+    for i in range(around.acting.size):
+        at = around.calls[around.acting[i] * _OF_TERM + _KINK]
+        if at > 0:
+            part = min(part, _call_kink(at, body, state, q, v, to_q, to_v, h, UNSEEN * tolerance))
+        elif at == 0:
+            part = np.nan
+    return min(part, LARGEST_PART) if part < 1.0 else 1.0
 
 
 # ------------------------------------------------------------------------- accelerations

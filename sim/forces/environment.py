@@ -45,17 +45,25 @@ def is_surrounded(scene: Scene) -> bool:
     return any(term.acts(scene) for term in SURROUNDINGS)
 
 
-def new_environment(scene: Scene, mass_index: Indices, ends: Indices, slots: int, step: float = 0.0) -> Any:
+def new_environment(
+    scene: Scene,
+    mass_index: Indices,
+    ends: Indices,
+    slots: int,
+    spring_order: Indices,
+    joint_order: Indices,
+    step: float = 0.0,
+) -> Any:
     """The `Environment` of a valid scene.
 
     Args:
         scene: the scene.
-        mass_index, ends, slots: see `Places`.
+        mass_index, ends, slots, spring_order, joint_order: see `Places`.
         step: see `Environment`.
     """
     mass = np.zeros(slots)
     mass[mass_index] = column(scene.masses, "mass")
-    places = Places(mass_index, ends, slots, mass)
+    places = Places(mass_index, ends, slots, mass, spring_order, joint_order)
     acting = acting_on(scene)
     tables = {term.field: term.new(scene, places) for term in SURROUNDINGS if term.new}
     return Environment(

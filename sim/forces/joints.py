@@ -157,6 +157,13 @@ def joint_energy(law, ax, ay, bx, by, rest, softening):
     return 2.0 * true * sine * sine + more
 
 
+@kernel(forceinline=True, fastmath=FAST)
+def is_loose(body, j, off):
+    """Whether a joint that acts on one side of its rest angle only is on the other, by its deflection."""
+    sides = body.environment.one_sided.joint_side
+    return sides.size > 0 and sides[j] * off < 0.0
+
+
 @kernel(fastmath=FAST)
 def joint_energies(body, state, q):
     """The energy of all joints, kg px²/s²."""
@@ -164,6 +171,8 @@ def joint_energies(body, state, q):
     for j in range(body.joints):
         (ax, ay), (bx, by) = joint_vectors(body, q, j)
         rest = state.torque_rest[j + 1]
+        if is_loose(body, j, deflection(ax * by - ay * bx, ax * bx + ay * by, rest)):
+            continue
         energy += body.angular_stiffness[j + 1] * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
     return energy
 
@@ -189,6 +198,8 @@ def joint_power(body, state, q, j, turn):
     """The power of what turns the rest angle of a joint at `turn`, degrees/s; kg px²/s³."""
     (ax, ay), (bx, by) = joint_vectors(body, q, j)
     off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])
+    if is_loose(body, j, off):
+        return 0.0
     aa, bb = ax * ax + ay * ay, bx * bx + by * by
     weight = math.sqrt(aa * bb)
     if not is_sine(body.law):
@@ -203,6 +214,8 @@ def power_of_law(body, state, q, v):
     for j in range(body.joints):
         (ax, ay), (bx, by) = joint_vectors(body, q, j)
         (ux, uy), (wx, wy) = joint_vectors(body, v, j)
+        if is_loose(body, j, deflection(ax * by - ay * bx, ax * bx + ay * by, state.torque_rest[j + 1])):
+            continue
         aa, bb = length_of(ax, ay, body.softening), length_of(bx, by, body.softening)
         size, cos, sin = body.angular_stiffness[j + 1], state.torque_cos[j + 1], state.torque_sin[j + 1]
         # The rate of the conservative law's energy, and the power of the tutorial's torque.
@@ -440,6 +453,8 @@ class JointsReference:
     def __init__(self, body: Body, state: State, rows: Indices | slice = slice(None)) -> None:
         self._law, self._is_sine, self._softening = IN_NUMPY[body.law], body.law in SINE_LAWS, body.softening
         self._has_energy = body.law != TUTORIAL
+        sides = body.environment.one_sided.joint_side
+        self._sides = sides[rows] if sides.size else np.zeros(body.joints)[rows]
         first, second = body.joint_a[rows], body.joint_b[rows]
         self._start, self._end = (
             np.stack((ends[first], ends[second])) for ends in (body.spring_a, body.spring_b)
@@ -450,9 +465,11 @@ class JointsReference:
             for numbers in (body.angular_stiffness, body.torque_damping, state.torque_rest)
         )
 
-    def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Reference`."""
+    def forces(self, x: Vectors, v: Vectors, only: np.ndarray | None = None) -> Vectors:
+        """See `Reference`; as if all acted on both sides. `only`: (k,) those that are wanted, or all."""
         springs, square, torque, energy = self._joint_trial_state(x, v)
+        if only is not None:
+            torque, energy = torque * only, energy * only
         # The torque turns both springs towards the rest angle. The energy grows with both lengths, so its
         # gradient also pulls along them.
         pull = energy if self._has_energy else 0.0
@@ -463,7 +480,17 @@ class JointsReference:
 
     def torques(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the torque of each joint, kg px²/s²: on its first spring; minus it acts on the second one."""
-        return self._joint_trial_state(x, v)[2]
+        return np.where(self.acting(x, v), self._joint_trial_state(x, v)[2], 0.0)
+
+    def acting(self, x: Vectors, v: Vectors) -> np.ndarray:
+        """(k,) whether each joint acts; those that act on one side do not turn their torque round."""
+        torque, off = self._joint_trial_state(x, v)[2], self.deflections(x)
+        return (self._sides == 0.0) | ((self._sides * off > 0.0) & (self._sides * torque > 0.0))
+
+    def deflections(self, x: Vectors) -> Floats:
+        """(k,) by how much the angle of each joint is larger than its rest angle, radians in (-pi, pi]."""
+        springs = self._springs(x)
+        return np.angle(springs[0].conj() * springs[1] * np.exp(-1j * self.rest_angle))
 
     def rates(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the rate at which the angle of each joint grows, 1/s."""
@@ -472,7 +499,8 @@ class JointsReference:
 
     def energy(self, x: Vectors) -> float:
         """See `Reference`; for the tutorial's law that of the conservative one."""
-        return float(self._joint_trial_state(x, np.zeros_like(x))[3].sum())
+        tight = ~(self._sides * self.deflections(x) < 0.0)
+        return float(self._joint_trial_state(x, np.zeros_like(x))[3][tight].sum())
 
     def _springs(self, flat: Vectors) -> Vectors:
         """(2, k) the vectors of both springs of each joint: of positions, px, or of velocities, px/s."""

@@ -56,9 +56,14 @@ def accelerations_by(body, state, scratch, vx, vy, a):
 
 @kernel(forceinline=True, fastmath=FAST)
 def spring_force(body, state, q, s):
-    """The force of a spring without its damping, k (|L| - rest length), kg px/s²; positive where it pulls."""
+    """The force of a spring without its damping, k (|L| - rest length), kg px/s²; positive where it pulls.
+
+    Zero where a spring that acts on one side only does not act.
+    """
     x, y = from_to(q, body.spring_a[s], body.spring_b[s])
-    return body.stiffness[s] * length_of(x, y, body.softening) - state.rest_tension[s]
+    force = body.stiffness[s] * length_of(x, y, body.softening) - state.rest_tension[s]
+    sides = body.environment.one_sided.spring_side
+    return 0.0 if sides.size > 0 and sides[s] * force < 0.0 else force
 
 
 @kernel(fastmath=FAST)
@@ -159,25 +164,36 @@ class SpringsReference:
 
     def __init__(self, body: Body, state: State, rows: Indices | slice = slice(None)) -> None:
         self._a, self._b, self._softening = body.spring_a[rows], body.spring_b[rows], body.softening
+        sides = body.environment.one_sided.spring_side
+        self._sides = sides[rows] if sides.size else np.zeros(self._a.size)
         self.stiffness, self.damping, self.rest_tension = (
             numbers[: body.springs][rows] for numbers in (body.stiffness, body.damping, state.rest_tension)
         )
         self._ends = np.concatenate((self._b, self._a))
 
-    def forces(self, x: Vectors, v: Vectors) -> Vectors:
-        """See `Reference`."""
+    def forces(self, x: Vectors, v: Vectors, only: np.ndarray | None = None) -> Vectors:
+        """See `Reference`; as if all acted on both sides. `only`: (k,) those that are wanted, or all."""
         spring, per_length = self._tensions(x, v)
-        tension = per_length * spring
+        tension = per_length * spring if only is None else per_length * spring * only
         return summed(self._ends, np.concatenate((tension, -tension)), x.size)
+
+    def acting(self, x: Vectors, v: Vectors) -> np.ndarray:
+        """(k,) whether each spring acts; those that act on one side do not turn their force round."""
+        elastic, whole = self._pulls(x, np.zeros_like(x)), self._pulls(x, v)
+        return (self._sides == 0.0) | ((self._sides * elastic > 0.0) & (self._sides * whole > 0.0))
 
     def pulls(self, x: Vectors, v: Vectors) -> Floats:
         """(k,) the force of each spring along itself, kg px/s²; positive where it pulls."""
+        return np.where(self.acting(x, v), self._pulls(x, v), 0.0)
+
+    def _pulls(self, x: Vectors, v: Vectors) -> Floats:
+        """As `pulls`, as if all acted at both sides."""
         spring, per_length = self._tensions(x, v)
         return -per_length * np.hypot(spring.real, spring.imag)
 
     def energy(self, x: Vectors) -> float:
         """See `Reference`."""
-        pulls = self.stiffness > 0.0
+        pulls = (self.stiffness > 0.0) & ~(self._sides * self._pulls(x, np.zeros_like(x)) < 0.0)
         rest = self.rest_tension[pulls] / self.stiffness[pulls]
         length = abs(x[self._b] - x[self._a])[pulls]
         return 0.5 * float((self.stiffness[pulls] * (length - rest) ** 2).sum())

@@ -34,12 +34,15 @@ class Places(NamedTuple):
         ends: (S, 2) the slots of the masses at the ends of each spring, in the order of the tables.
         slots: number of slots of a state.
         mass: (slots,) kg.
+        spring_order, joint_order: the spring, and the joint, of the scene in each row of the tables.
     """
 
     mass_index: Indices
     ends: Indices
     slots: int
     mass: Floats
+    spring_order: Indices
+    joint_order: Indices
 
 
 Kernel = Any
@@ -54,6 +57,7 @@ SIGNATURES = {
     "add_derivatives": types.void(*_ON, Matrix.numba_type, FLOATS, FLOATS, _FLOAT, types.boolean),
     "add_damping": types.void(*_ON, FLOATS, FLOATS, FLOATS, _FLOAT, FLOATS),
     "impact_time": _FLOAT(*_ON, FLOATS, FLOATS, FLOATS, _FLOAT),
+    "kink_fraction": _FLOAT(*_ON, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT, _FLOAT),
 }
 """Signatures of the kernels that a `Term` may have, by their fields."""
 
@@ -105,6 +109,9 @@ class Term:
         impact_time: kernel (body, state, q, v, a, h); returns the shortest time, s, in which a mass gets as
             deep into something as its speed leads. It counts what masses with accelerations a (px/s²) are
             in, or enter within h (s); infinite where there is nothing.
+        kink_fraction: kernel (body, state, q, v, to_q, to_v, h, unseen); returns the part of a step from q, v
+            to to_q, to_v (h, s) that leads just beyond a kink of the force, where the step would miss more
+            than the speed `unseen` (px/s) of a mass; 1 if the step may be kept.
         bounds: given a body's tables, (masses,) upper bounds of the row sums of minus the derivatives of its
             forces by positions, kg/s², and by velocities, kg/s, for NumPy's stand-in of the solver.
         touches: whether it acts only on masses that are in something, such as a wall.
@@ -126,6 +133,7 @@ class Term:
     add_derivatives: Kernel | None = None
     add_damping: Kernel | None = None
     impact_time: Kernel | None = None
+    kink_fraction: Kernel | None = None
     bounds: Callable[[Body], tuple[Floats, Floats]] | None = None
     touches: bool = False
     sticks: Callable[[Any], bool] = lambda _table: False

@@ -106,7 +106,9 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     body = body.replaced(
         limits=new_limits(scene, order, wiring.joint_order) if damageable else NO_LIMITS,
         muscles=new_muscles(scene, order, wiring.joint_order),
-        environment=new_environment(scene, mass_index, wiring.ends, wiring.slots, step),
+        environment=new_environment(
+            scene, mass_index, wiring.ends, wiring.slots, order, wiring.joint_order, step
+        ),
     ).read_only()
     held = np.zeros(n, np.bool_)
     for anchor in scene.anchors:

@@ -17,6 +17,7 @@ from itertools import chain
 from operator import attrgetter
 from typing import Any, NamedTuple
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -177,11 +178,11 @@ _Ends = tuple[int, ...]
 
 _A, _B = attrgetter("a"), attrgetter("b")
 _LIMITS = {
-    LinearSpring: attrgetter("strength", "yield_force"),
-    AngularSpring: attrgetter("yield_torque"),
+    LinearSpring: attrgetter("strength", "yield_force", "only"),
+    AngularSpring: attrgetter("yield_torque", "only"),
 }
 """What a spring or a joint bears; None for any load."""
-_NO_LIMITS = {LinearSpring: {(None, None)}, AngularSpring: {None}}
+_NO_LIMITS = {LinearSpring: {(None, None, msgspec.UNSET)}, AngularSpring: {(None, msgspec.UNSET)}}
 """The same of parts that bear any load."""
 
 

@@ -16,6 +16,7 @@ from ..compiling.compiler import (
     fetch,
     for_energy,
     for_fallback,
+    for_kinks,
     is_ready,
     needed_by,
 )
@@ -356,6 +357,7 @@ class Solver:
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
             *(("no_tunnelling",) if body.environment.contact.present else ()),
+            *for_kinks(body),
             *(FOR_STICKING if body.environment.sticks else ()),
             *(FOR_DAMAGE if body.limits.present else ()),
         )

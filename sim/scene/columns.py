@@ -72,6 +72,13 @@ def has_any(parts: Parts, field: str) -> bool:
     return not np.isnan(column(parts, field)).all()
 
 
+def is_set_in_any(parts: Parts, field: str) -> bool:
+    """Return whether any part has an optional field that is unset in the others."""
+    if len(parts) < LONG:
+        return any(map(attrgetter(field), parts))
+    return bool(_column(parts, field, object).any())
+
+
 def _column(parts: Parts, field: str, dtype: type) -> NDArray[Any]:
     parts = tuple(parts)  # unchanged, unless it is a list, which may be modified
     found = _kept.pop(id(parts), None)  # concurrent threads make an array twice at worst

@@ -101,6 +101,8 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
             length, 0..1e15 kg px/s², or None if it never is.
         hardening: 0..1e15 kg/s²; increase of the yield force per px of permanent change of the rest length.
         muscle: the muscle that changes its rest length; omitted in files if there is none.
+        only: "pull" for a spring that only pulls, like a rope, and exerts nothing where it is shorter than
+            its rest length; "push" for one that only pushes; omitted in files if it does both.
     """
 
     a: Index
@@ -112,6 +114,7 @@ class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     yield_force: Force | None = None
     hardening: Stiffness = 0.0
     muscle: SpringMuscle | msgspec.UnsetType = msgspec.UNSET
+    only: Literal["pull", "push"] | msgspec.UnsetType = msgspec.UNSET
 
 
 class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
@@ -137,6 +140,8 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
         yield_torque: the torque beyond which it is permanently bent, changing its rest angle,
             0..1e18 kg px²/s², or None if it never is.
         muscle: the muscle that changes its rest angle; omitted in files if there is none.
+        only: "above" for a stop, which acts only where V - rest_angle is between 0 and 180°, "below" for one
+            that acts only where it is between -180° and 0; omitted in files if it acts on both sides.
     """
 
     a: Index
@@ -146,6 +151,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
     rest_angle: Angle = 0.0
     yield_torque: Annotated[float, bounded(0.0, 1e18, "kg px²/s²", "A torque")] | None = None
     muscle: JointMuscle | msgspec.UnsetType = msgspec.UNSET
+    only: Literal["above", "below"] | msgspec.UnsetType = msgspec.UNSET
 
 
 class Beat(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

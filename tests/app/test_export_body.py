@@ -688,7 +688,7 @@ def test_a_program_refuses_a_law_that_it_does_not_know(monkeypatch: pytest.Monke
 def test_files_refuse_a_force_that_they_do_not_know_and_tables_leave_it_out_with_a_word(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    vortices = replace(TERMS[-1], name="vortices", acts=lambda _: True)
+    vortices = replace(TERMS[-1], name="vortices", label="", acts=lambda _: True)
     monkeypatch.setattr(program, "TERMS", (*TERMS, vortices))
     body = body_of(BENT)
     for write in WRITERS:

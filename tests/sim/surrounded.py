@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
 import numpy as np
 from msgspec.structs import fields, replace
 
@@ -12,7 +13,7 @@ from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, W
 from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import body, tangle
-from tests.sim.changes import by, with_springs
+from tests.sim.changes import by, with_joints, with_springs
 from tests.sim.checks import known
 from tests.sim.touching import CONSTANT, HELD, SOFT, crumpled
 
@@ -79,11 +80,22 @@ TOUCHING["girder that sticks to itself"] = ("girder", HELD)
 BROKEN = "girder in contact, partly broken"
 TOUCHING[BROKEN] = ("girder", SOFT)
 
-AROUND = [*KINDS, *TOUCHING]
+ONE_SIDED = "springs and joints of one side"
+
+AROUND = [*KINDS, *TOUCHING, ONE_SIDED]
 
 
 def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
-    """A body in surroundings of a kind, or in contact with itself; `changes` are arguments of `body`."""
+    """A body in surroundings of a kind, in contact with itself, or of parts that act on one side.
+
+    `changes` are arguments of `body`.
+    """
+    if kind == ONE_SIDED:
+        scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
+        return with_joints(
+            with_springs(scene, only=lambda i, _: ("pull", "push", msgspec.UNSET)[i % 3]),
+            only=[("above", "below", msgspec.UNSET)[i % 3] for i in range(len(scene.angular_springs))],
+        )
     if kind not in TOUCHING:
         return surrounded(kind, seed=seed, **changes)
     shape, contact = TOUCHING[kind]
@@ -95,8 +107,9 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
 
 
 def bare(scene: Scene) -> Scene:
-    """The scene without anything that surrounds or touches the body."""
+    """The scene without anything that surrounds or touches the body, whose parts act on both sides."""
     added = {name for kind in KINDS.values() for name in kind} | {"contact"}
+    scene = with_joints(with_springs(scene, only=msgspec.UNSET), only=msgspec.UNSET)
     return replace(scene, **{each.name: each.default for each in fields(Scene) if each.name in added})
 
 

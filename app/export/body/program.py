@@ -338,7 +338,8 @@ def check_forces(scene: Scene, what: str = "a program") -> None:
 
 def unknown_forces(scene: Scene) -> list[str]:
     """Names of the forces on a scene's body that are not known outside softrod."""
-    return [term.name for term in TERMS if term.name not in TERMS_IN_PROGRAMS and term.acts(scene)]
+    acting = (term for term in TERMS if term.acts(scene))
+    return [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:

@@ -108,7 +108,7 @@ def new_contacts(scene: Scene, places: Places) -> Contacts:
     a body is at rest as it is built, however fine its mesh is. Parts of a scene that no springs connect are
     different bodies, which touch from the start.
     """
-    contact, (mass_index, ends, slots, _) = scene.contact, places
+    contact, mass_index, ends, slots = scene.contact, places.mass_index, places.ends, places.slots
     springs, n = len(ends), len(scene.masses)
     if contact is None or not has_contact(scene):
         return NO_CONTACTS
