@@ -21,13 +21,13 @@ NIGHT = bool(os.environ.get("SOFTROD_NIGHT"))
 _TODAY = int(os.environ.setdefault("SOFTROD_DAY", str(int(time.time() // 86400))))
 
 
-def every_other_day(first: bool) -> pytest.MarkDecorator:
-    """For a long test: by day it runs every other day, on others than those that are not `first`."""
-    return pytest.mark.skipif(not NIGHT and (_TODAY % 2 == 0) != first, reason="its turn is tomorrow")
-
-
 at_night = pytest.mark.skipif(not NIGHT, reason="by night")
 """For a test that takes tens of seconds."""
+
+
+def has_its_turn(number: int) -> bool:
+    """Whether a test of that number in its file runs today, where one half does by day; by night all do."""
+    return NIGHT or (number + _TODAY) % 2 == 0
 
 
 def examples(by_night: int) -> int:

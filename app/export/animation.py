@@ -110,7 +110,7 @@ class _Animation:
         sketch, nodes = self._sketch, []
         if not len(sketch.springs):
             return nodes
-        drawn = [instances.springs(sketch, frame.picture) for frame in self._frames]
+        drawn = [instances.springs(sketch, frame.picture, with_ropes=True) for frame in self._frames]
         half = np.unwrap([each.angles for each in drawn], axis=0) / 2.0
         turns = np.stack((0.0 * half, 0.0 * half, np.sin(half), np.cos(half)), axis=-1)
         sizes = np.array([np.stack((s.lengths, s.widths, s.widths), -1) for s in drawn]) * self._metres

@@ -21,6 +21,8 @@ from ..stage.looks import (
     HALO,
     PIN,
     RING,
+    ROPE,
+    ROPE_PIECES,
     SHARPNESS,
     SHINE,
     THICKEST,
@@ -68,20 +70,49 @@ def to_world(sketch: Sketch, positions: Floats) -> Floats:
     return sketch.mapping.to_world(positions)[:, :2]
 
 
-def springs(sketch: Sketch, picture: Picture) -> Instances:
-    """Coils or bars, without a size where a spring is broken."""
-    start, angles, lengths = _between(sketch, picture.positions)
+def _rest_lengths(sketch: Sketch, picture: Picture) -> Floats:
+    """(S,) the present rest lengths, in the world."""
     moved = picture.damage.set_lengths if picture.damage is not None else ()
     stretch, _ = _swings(sketch, picture)
     rest = sketch.rest_length * picture.rest_length_scale * stretch + (np.array(moved) if moved else 0.0)
-    rest = np.maximum(rest * sketch.mapping.scale, 1e-9)
+    return np.maximum(rest * sketch.mapping.scale, 1e-9)
+
+
+def springs(sketch: Sketch, picture: Picture, with_ropes: bool = False) -> Instances:
+    """Coils or bars, without a size where a spring is broken or, unless they are wanted, a rope."""
+    start, angles, lengths = _between(sketch, picture.positions)
+    rest, sides = _rest_lengths(sketch, picture), np.zeros(len(lengths))
+    for spring, side in sketch.one_sided:
+        sides[spring] = side
+    # A buffer that touches nothing is as long as it rests.
+    lengths = np.where(sides < 0.0, np.minimum(lengths, rest), lengths)
     strain = (lengths / rest - 1.0) / sketch.full_strain
     widths = sketch.thickness
     if not sketch.bars:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), THINNEST, THICKEST)
     coils = Instances(start, angles, lengths, widths, _colored(strain_colors(sketch), strain))
-    return coils.only(_whole(len(lengths), broken_of(picture.damage)))
+    return coils.only(_whole(len(lengths), broken_of(picture.damage)) & ((sides <= 0.0) | with_ropes))
+
+
+def ropes(sketch: Sketch, picture: Picture) -> Instances:
+    """The pieces of springs that only pull: straight where taut, and hanging in a parabola where slack."""
+    some = np.array([spring for spring, side in sketch.one_sided if side > 0.0], np.int64)
+    start, angles, lengths = (each[some] for each in _between(sketch, picture.positions))
+    rest = _rest_lengths(sketch, picture)[some]
+    full = sketch.full_strain if len(sketch.full_strain) == 1 else sketch.full_strain[some]
+    strain = np.maximum(0.0, (lengths / rest - 1.0) / full)
+    sag = np.sqrt(np.maximum(0.0, (rest - lengths) * (2.0 * rest + lengths) / 8.0))
+    part = np.arange(ROPE_PIECES + 1) / ROPE_PIECES
+    along = (lengths * np.exp(1j * angles))[:, None] * part
+    at = (start @ (1.0, 1j))[:, None] + along - 4j * sag[:, None] * part * (1.0 - part)
+    piece = np.diff(at, axis=1).ravel()
+    width = np.repeat(ROPE * sketch.thickness[some], ROPE_PIECES)
+    first = at[:, :-1].ravel()
+    colors = np.repeat(_colored(strain_colors(sketch), strain), ROPE_PIECES, axis=0)
+    whole = np.repeat(_whole(len(sketch.springs), broken_of(picture.damage))[some], ROPE_PIECES)
+    places = np.column_stack((first.real, first.imag))
+    return Instances(places, np.angle(piece), np.abs(piece), width, colors).only(whole)
 
 
 def muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:

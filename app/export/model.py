@@ -103,7 +103,7 @@ def _parts(sketch: Sketch, scene: sim.Scene, picture: Picture) -> dict[str, Trim
     if len(pins.angles):
         found["supports"] = _copies(plate(meshes()["pin"]), pins, PLATE * pins.widths)
     if len(sketch.springs):
-        springs = instances.springs(sketch, picture).seen()
+        springs = instances.springs(sketch, picture, with_ropes=True).seen()
         solid = spring_solid(sketch)
         found["springs"] = _copies(solid, springs, springs.widths)
     for name, flat, of_joints in MUSCLES:

@@ -93,6 +93,8 @@ class Painter:
         pen.stamp("pin", instances.pins(sketch, picture))
         if len(sketch.springs):
             pen.stamp(sketch.spring_shape, instances.springs(sketch, picture))
+        if sketch.has_ropes:
+            pen.stamp("bar", instances.ropes(sketch, picture))
         if sketch.yields:
             pen.stamp("bar", instances.yielded(sketch, picture))
         if len(self._rest_angles):

@@ -233,6 +233,12 @@ the proof strength of metals."""
 CREASE = 0.34
 """Width of the line along a yielded spring, in that of the spring."""
 
+ROPE = 0.5
+"""Width of a rope, in thicknesses of its spring."""
+
+ROPE_PIECES = 12
+"""Straight pieces of which a rope is drawn."""
+
 BELLY = 1.25
 """Width of a muscle along a spring, in that of the spring."""
 

@@ -141,6 +141,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         turn_colors=turn_colors(sketch),
         ink_colors=sketch.ink_colors(),
         **surroundings,
+        one_sided=sketch.one_sided,
         loads=sketch.loads,
         muscles=(*sketch.beat, *sketch.muscles.ravel()) if muscles else (),
         muscle_colors=muscle_colors(sketch) if muscles else (),

@@ -166,6 +166,46 @@ def set_number(
     return _with_values(scene, of, dict.fromkeys(parts, value), f"{of.label} set")
 
 
+SIDES: dict[Kind, dict[str, str]] = {
+    "linear_springs": {"": "both ways", "pull": "pulls only", "push": "pushes only"},
+    "angular_springs": {
+        "": "on both sides",
+        "above": "above its angle only",
+        "below": "below its angle only",
+    },
+}
+"""What springs and joints can be set to act on, by `only`, with words for people; "" for both sides."""
+
+
+def sides_of(scene: Scene, kind: Kind, parts: Collection[int]) -> set[str]:
+    """Return the different sides, keys of `SIDES`, on which some springs or joints act."""
+    every = getattr(scene, kind)
+    return {every[i].only or "" for i in parts}
+
+
+def set_side(scene: Scene, kind: Kind, parts: Collection[int], only: str) -> Edit:
+    """Let some springs or joints act on one side only, or on both.
+
+    Args:
+        scene: the scene.
+        kind: "linear_springs" or "angular_springs".
+        parts: their indices.
+        only: a key of `SIDES`.
+
+    Raises:
+        SettingError: they cannot act like that.
+        SceneError: a part does not exist.
+    """
+    if only not in SIDES[kind]:
+        raise SettingError(f"only: {only!r} is not one of {', '.join(side for side in SIDES[kind] if side)}")
+    scene = of_parts(scene)
+    every = getattr(scene, kind)
+    refuse_missing(parts, len(every), _WORDS[kind])
+    new = [(i, msgspec.structs.replace(every[i], only=only or msgspec.UNSET)) for i in parts]
+    what = f"{counted(len(parts), _WORDS[kind])} {'act' if len(parts) > 1 else 'acts'} {SIDES[kind][only]}"
+    return Edit(what, msgspec.structs.replace(scene, **{kind: changed(every, new)}))
+
+
 def scale_number(
     scene: Scene, of: Number, parts: Collection[int], largest: float, shift: float = 0.0
 ) -> Edit:

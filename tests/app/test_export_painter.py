@@ -20,6 +20,7 @@ from app.stage.shapes import COILS, meshes
 from app.stage.sketch import Floats, Sketch
 from sim.scene.types import Damage
 from tests.app.page_script import after, drawn
+from tests.sim.changes import with_springs
 
 
 def pixel(image: Image.Image, window: Window, sketch: Sketch, place: Floats) -> np.ndarray:
@@ -28,9 +29,16 @@ def pixel(image: Image.Image, window: Window, sketch: Sketch, place: Floats) -> 
     return np.asarray(image)[round(float(y) - 0.5), round(float(x) - 0.5)].astype(int)
 
 
-@pytest.mark.parametrize("name", ["tutorial-3.3", "box", "flag-pole", "water-balloon"])
+@pytest.mark.parametrize("name", ["tutorial-3.3", "box", "flag-pole", "water-balloon", "box of ropes"])
 def test_parts_lie_where_the_page_draws_them(name: str) -> None:
-    scene = sim.load_scene(name)
+    scene = sim.load_scene(name.removesuffix(" of ropes"))
+    if name.endswith(" of ropes"):
+        sides = ("pull", "push", UNSET, "pull")
+        scene = with_springs(
+            scene,
+            only=lambda i, _: sides[i % 4],
+            rest_length=lambda i, spring: spring.rest_length * (1.3 if i % 2 else 0.9),
+        )
     _, picture = after(scene, 120)
     count = len(scene.linear_springs)
     damage = Damage(broken=(1,), set_lengths=tuple(np.linspace(-2.0, 2.0, count)))
@@ -41,6 +49,7 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
     rest = np.array([joint.rest_angle for joint in scene.angular_springs])
     found = {
         "springs": instances.springs(sketch, picture),
+        "ropes": instances.ropes(sketch, picture),
         "yielded": instances.yielded(sketch, picture),
         "wedges": instances.wedges(sketch, picture, rest),
         "masses": instances.masses(sketch, picture),
@@ -70,6 +79,25 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
         assert parts.widths == pytest.approx(node["scales"][there, 1], abs=1e-5), kind
         # Single precision can fall on the other side of the edge between two shades.
         assert np.abs(parts.colors.astype(int) - node["colors"][there]).max(initial=0) <= 16, kind
+
+
+@pytest.mark.parametrize("part", [0.2, 0.7, 0.95, 1.0, 1.2])
+def test_a_rope_is_as_long_as_it_rests_or_straight(part: float) -> None:
+    masses = (sim.Mass(position=(100.0, 100.0)), sim.Mass(position=(100.0 + 200.0 * part, 100.0)))
+    rope = sim.LinearSpring(a=0, b=1, stiffness=1.0, rest_length=200.0, only="pull")
+    sketch = Sketch.plain(sim.Scene(name="rope", masses=masses, linear_springs=(rope,)))
+    places = np.array([mass.position for mass in masses])
+    pieces = instances.ropes(sketch, Picture(places))
+    scale = sketch.mapping.scale
+    assert pieces.lengths.sum() / scale == pytest.approx(200.0 * max(part, 1.0), rel=0.04)
+    ends = (
+        pieces.places
+        + np.column_stack((np.cos(pieces.angles), np.sin(pieces.angles))) * pieces.lengths[:, None]
+    )
+    assert ends[:-1] == pytest.approx(pieces.places[1:], abs=1e-9)
+    assert ends[-1] == pytest.approx(sketch.mapping.to_world(places)[1, :2])
+    lowest = pieces.places[:, 1].min() - pieces.places[0, 1]
+    assert (lowest < -0.1 * scale) == (part < 1.0)
 
 
 @pytest.mark.parametrize("name", ["disc", "ring", "bar", "slice", "pin", *COILS])
@@ -143,7 +171,7 @@ def test_constant_forces_are_arrows_in_pictures_and_in_the_plan(
     while len(plan):
         sections.append(plan[1 : 1 + int(plan[0])])
         plan = plan[1 + int(plan[0]) :]
-    assert len(sections) == 18
+    assert len(sections) == 19
     down = -0.6 if y_down else 0.6
     assert sections[-1] == pytest.approx([0.0, 0.0, down, 2.0, -0.18, 0.0], abs=1e-6)
 

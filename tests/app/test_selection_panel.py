@@ -295,3 +295,23 @@ def test_numbers_of_muscles_get_their_boxes_with_the_first_muscle() -> None:
     assert [spring.muscle for spring in page.scene.linear_springs[:2]] == [wanted] * 2
     page.select(masses=(1,))
     assert not any("uscle" in label for label in page.shown())
+
+
+def test_springs_become_ropes_and_joints_stops() -> None:
+    page = Page(rope())
+    page.select(springs=(0, 1), joints=(0,))
+    page.frames(1)
+    springs, joints = page.made["Springs act"], page.made["Joints act"]
+    assert (springs.value, joints.value) == ("both ways", "on both sides")
+    page.enter("Springs act", "pulls only")
+    page.enter("Joints act", "above its angle only")
+    assert [spring.only for spring in page.scene.linear_springs] == ["pull", "pull", msgspec.UNSET]
+    assert page.scene.angular_springs[0].only == "above"
+    page.select(springs=(0, 2))
+    page.frames(1)
+    assert springs.label == "Springs act (mixed)"
+    assert not joints.is_shown
+    page.enter("Springs act (mixed)", "both ways")
+    assert [spring.only for spring in page.scene.linear_springs] == [msgspec.UNSET, "pull", msgspec.UNSET]
+    page.frames(1, commands.Undo())
+    assert page.scene.linear_springs[0].only == "pull"

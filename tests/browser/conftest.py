@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Generator, Iterator
 from functools import partial
 from pathlib import Path
@@ -21,6 +21,7 @@ from app.pages.sandbox.tab import Tab
 from app.server import serve as server_of_pages
 from app.server.serve import serving
 from app.ui.ticked import RunInThread
+from tests.amount import has_its_turn
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served, rough_context
 
@@ -46,6 +47,8 @@ FLAGS = (
     "LensOverlay,MediaRouter,OptimizationHints,PaintHolding,ThirdPartyStoragePartitioning,AimEnabled,"
     "WebUIOmniboxPopup,WebUIOmniboxAimPopup,WebUIOmniboxFullPopup",
 )
+FEW = 100
+"""Tests of browsers that all run by day if no more are asked for."""
 DESKTOP = (880, 580)
 """Size of the pages of most tests: large enough for all controls, and quick to draw in software."""
 
@@ -237,10 +240,17 @@ def open_page(
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """A test that fails is run once more, since a browser on a loaded machine is late now and then. The
-    summary names it all the same: it is to wait for what it looks at."""
-    for item in items:
-        if item.path.is_relative_to(Path(__file__).parent):
-            item.add_marker(pytest.mark.flaky(reruns=1))
+    summary names it all the same: it is to wait for what it looks at.
+
+    By day, half of the tests of each file run, the next day the others, unless few are asked for.
+    """
+    here = [item for item in items if item.path.is_relative_to(Path(__file__).parent)]
+    counts: Counter[Path] = Counter()
+    for item in here:
+        item.add_marker(pytest.mark.flaky(reruns=1))
+        if len(here) > FEW and not has_its_turn(counts[item.path]):
+            item.add_marker(pytest.mark.skip(reason="its turn is tomorrow"))
+        counts[item.path] += 1
 
 
 @pytest.hookimpl(wrapper=True)

@@ -25,7 +25,6 @@ from app.features.classroom.roles import desk_address, seat_address, wall_addres
 from app.server.serve import serving
 from app.session.session import Session
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
-from tests.amount import every_other_day
 from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
@@ -131,7 +130,6 @@ def school(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
         assert not made.errors
 
 
-@every_other_day(True)
 def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     """By keys alone on the pupil's side, whose connection is lost meanwhile."""
     classroom, room = school.classroom, school.classroom.room
@@ -408,7 +406,6 @@ def test_a_pupil_s_body_goes_on_without_a_network_and_is_the_server_s_again(scho
     wire.close()
 
 
-@every_other_day(False)
 def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     school: School, browser: Browser, tmp_path: Path
 ) -> None:

@@ -15,7 +15,7 @@ from app.session import commands
 from sim.edit.build import extend, positions_of
 from sim.edit.edit import Edit, Selection
 from sim.store import files
-from tests.amount import NIGHT, every_other_day
+from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
 
@@ -79,7 +79,6 @@ def put_picture(desk: Desk, folder: Path, width: int = 40, height: int = 20) -> 
     return image
 
 
-@every_other_day(True)
 def test_a_body_is_built_by_mouse_and_taken_back(open_page: OpenPage) -> None:
     """Clicks, drags and chains; `tests/app/test_edits.py` has what a gesture does to the body."""
     desk = paused(open_page)
@@ -216,7 +215,6 @@ def test_what_is_selected_has_a_folder_and_a_force_on_it_is_drawn(open_page: Ope
     desk.until(lambda: folder.count() == 0, "nothing is selected any more")
 
 
-@every_other_day(False)
 def test_by_touch(open_page: OpenPage) -> None:
     """Fingers build, a long press selects, and two fingers move the view instead."""
     desk = open_page(size=(390, 844), phone=True, pixels=NIGHT)

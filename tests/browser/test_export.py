@@ -15,7 +15,6 @@ from app.export.clip import Clip
 from app.export.replay import replay_html
 from app.session import commands
 from app.stage.colors import palette
-from tests.amount import every_other_day
 from tests.app.clips import swing
 from tests.browser.conftest import OpenPage, Visits
 from tests.browser.driver import Desk, until
@@ -38,7 +37,6 @@ def download(desk: Desk, button: str) -> tuple[str, bytes]:
     return started.value.suggested_filename, Path(started.value.path()).read_bytes()
 
 
-@every_other_day(False)
 def test_a_picture_has_the_body_and_all_that_lies_under_and_over_it(open_page: OpenPage) -> None:
     desk = open_page("water-balloon", pixels=True)
     desk.tell(commands.DoSteps(150))
@@ -79,7 +77,6 @@ def test_a_picture_has_the_body_and_all_that_lies_under_and_over_it(open_page: O
     desk.wait_drawn()
 
 
-@every_other_day(True)
 def test_each_button_gives_its_file_and_what_it_cannot_do_is_told(open_page: OpenPage) -> None:
     """What is in the files is tested in `tests/app`."""
     desk = open_page("ring")

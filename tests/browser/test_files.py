@@ -9,7 +9,6 @@ import numpy as np
 import sim
 from app.session import commands
 from sim.store import files
-from tests.amount import every_other_day
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -26,7 +25,6 @@ def upload(desk: Desk, path: Path) -> None:
     desk.page.locator("input[type=file][name=file]").set_input_files(path)
 
 
-@every_other_day(True)
 def test_a_scene_is_saved_and_opened(open_page: OpenPage, data_folder: Path) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("angular_stiffness", 4321.0))
@@ -54,7 +52,6 @@ def test_a_scene_is_saved_and_opened(open_page: OpenPage, data_folder: Path) -> 
     assert desk.simulation.rest_angles[0] == 12.0
 
 
-@every_other_day(False)
 def test_a_built_in_name_is_refused_and_a_taken_one_asked_about(
     open_page: OpenPage, data_folder: Path
 ) -> None:

@@ -13,7 +13,6 @@ from app.gate.gate import Gate
 from app.ui import owner
 from app.wire.carrier import Mail, by_viser
 from sim.store import files, own_scenes
-from tests.amount import every_other_day
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -84,7 +83,6 @@ def test_a_scene_is_found_and_opened_by_keys_alone(open_page: OpenPage) -> None:
     desk.until(lambda: not desk.session.playing, "Space pauses")
 
 
-@every_other_day(False)
 def test_own_scenes_are_renamed_copied_deleted_and_brought_back(
     open_page: OpenPage, data_folder: Path
 ) -> None:
@@ -207,7 +205,6 @@ def test_a_scene_that_is_saved_as_the_gallery_opens_does_not_keep_it_shut(open_p
     desk.page.get_by_role("dialog", name="Scenes").locator(".softrod-card").first.wait_for()
 
 
-@every_other_day(True)
 def test_a_visitor_copies_the_owner_s_scenes_and_the_owner_s_key_makes_them_one_s_own(
     open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:

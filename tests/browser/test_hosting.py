@@ -18,7 +18,6 @@ from app.features.classroom.roles import desk_address, seat_address, wall_addres
 from app.pages.check.page import check_address
 from app.server.serve import serving
 from sim.store.link import pack_scene
-from tests.amount import every_other_day
 from tests.browser.conftest import DESKTOP
 from tests.browser.driver import LIMIT, Desk, Served, rough_context, until
 from tests.browser.wires import certified, self_signed, wire
@@ -55,7 +54,6 @@ def rest() -> Iterator[ExitStack]:
         yield stack
 
 
-@every_other_day(True)
 def test_the_page_works_by_tls_in_a_folder(rest: ExitStack, browser: Browser, signed: ssl.SSLContext) -> None:
     desk = begin(rest, browser, signed, "/lab/", known=True)
     desk.open("")
@@ -85,7 +83,6 @@ def test_a_page_that_is_refused_says_what_to_do(
     desk.page.get_by_text(f"start softrod with --public-url {site}/").wait_for()
 
 
-@every_other_day(False)
 def test_a_class_behind_nginx_needs_nothing_from_outside_and_tells_no_secret(
     rest: ExitStack, browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -10,7 +10,7 @@ from app.session.notices import Notice
 from sim.scene.lesson import Step
 from sim.settings import CHOICES, setting_of
 from sim.store.files import built_in_folder
-from tests.amount import every_other_day, part_of
+from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -60,7 +60,6 @@ def begins(desk: Desk, step: Step) -> None:
         assert step.do not in words(desk)
 
 
-@every_other_day(False)
 def test_each_lesson_is_followed_to_its_end(open_page: OpenPage) -> None:
     desk = open_page()
     assert not desk.page.locator(CARD).is_visible()
@@ -96,7 +95,6 @@ def follow(desk: Desk, name: str) -> None:
     assert not desk.notices()
 
 
-@every_other_day(True)
 def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.Open(sim.load_scene("lesson-hooke")))

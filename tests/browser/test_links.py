@@ -13,7 +13,6 @@ from app.session import commands
 from sim.scene.lesson import Lesson, Step
 from sim.store import files
 from sim.store.link import pack_scene
-from tests.amount import every_other_day
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
@@ -42,7 +41,6 @@ def shared(desk: Desk, pose: bool = False) -> str:
     return field.input_value()
 
 
-@every_other_day(False)
 def test_a_link_opens_its_scene_before_what_the_page_had_kept(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
     desk.tell(commands.SetValue("angular_stiffness", 4321.0), commands.DoSteps(200))
@@ -94,7 +92,6 @@ def test_a_hostile_scene_is_shown_as_text(open_page: OpenPage) -> None:
     assert desk.page.locator("#root img[src=x]").count() == 0
 
 
-@every_other_day(True)
 def test_a_short_address_opens_what_it_names_and_a_reload_goes_on_with_that(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
     desk.tell(commands.SetValue("angular_stiffness", 4321.0))

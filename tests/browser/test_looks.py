@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from app.session import commands
-from tests.amount import every_other_day, part_of
+from tests.amount import part_of
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, box_of, middle_of
 
@@ -167,7 +167,6 @@ SMALL = """least => [...document.querySelectorAll("body *")].filter(e => {
 """Texts that are seen and are smaller than so many pixels."""
 
 
-@every_other_day(True)
 def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     """From the command palette, on a screen of 1920 by 1080; and it is there again after a reload."""
     desk = open_page(size=(1920, 1080))
@@ -237,7 +236,6 @@ def test_on_paper_there_are_the_body_its_title_and_the_time(open_page: OpenPage,
     desk.until(lambda: overlay.get_attribute("viewBox") is None, "the marks are as before")
 
 
-@every_other_day(False)
 def test_on_a_phone_the_bar_of_time_is_the_foot_and_never_moves_while_the_sheet_does(
     open_page: OpenPage,
 ) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from playwright.sync_api import Locator
 
 from sim.scene.lesson import Goal, Question, Step
-from tests.amount import every_other_day
 from tests.app.inside import sandboxes
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
@@ -59,7 +58,6 @@ def begin(desk: Desk) -> None:
     desk.until(lambda: titles(desk) == ["Step 1"], "there is a step")
 
 
-@every_other_day(True)
 def test_a_step_is_written_ordered_tried_and_seen_as_pupils_see_it(open_page: OpenPage) -> None:
     """`tests/app/test_making.py` has what the form makes of what is written, what it refuses, and undo."""
     desk = open_page("rope", size=(1280, 720))
@@ -157,7 +155,6 @@ def see_as_phone(desk: Desk) -> None:
     page.close()
 
 
-@every_other_day(False)
 def test_on_a_phone_a_lesson_is_made_below_the_body(open_page: OpenPage) -> None:
     desk = open_page("rope", size=(390, 844), phone=True)
     begin(desk)

@@ -9,7 +9,6 @@ from app.session import commands
 from sim.edit.edit import Selection
 from sim.edit.muscles import crest
 from sim.scene.parts import SpringMuscle
-from tests.amount import every_other_day
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
 
@@ -47,7 +46,6 @@ def mark(desk: Desk, name: str) -> Locator:
     return desk.page.locator(f'.softrod-muscle[aria-label^="Muscle of {name}"]')
 
 
-@every_other_day(True)
 def test_muscles_by_hand(open_page: OpenPage) -> None:
     """From a rope without any to muscles that are moved in every way, and back."""
     desk = open_page(size=(900, 720), phone=True)  # with a touch screen beside the mouse
@@ -117,7 +115,6 @@ def test_muscles_by_hand(open_page: OpenPage) -> None:
     desk.until(lambda: page.locator(".softrod-muscles").is_hidden(), "there is nothing left to show")
 
 
-@every_other_day(False)
 def test_on_a_phone_neighbours_are_moved_as_a_group(open_page: OpenPage) -> None:
     desk = open_page("worm", size=(390, 844), phone=True)
     page = desk.page

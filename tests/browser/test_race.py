@@ -5,12 +5,10 @@ from __future__ import annotations
 import sim
 from app.features.race.feature import BeginRace
 from app.features.race.rivals import Rivals
-from tests.amount import every_other_day
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import box_of
 
 
-@every_other_day(True)
 def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     desk = open_page("worm")
     page, session = desk.page, desk.session
@@ -64,7 +62,6 @@ def test_a_worm_races_against_a_walker(open_page: OpenPage) -> None:
     desk.until(lambda: len(desk.instances("/second/masses")) == 0, "and the rival")
 
 
-@every_other_day(False)
 def test_a_race_ends_with_a_sentence_and_race_again_starts_both_over(open_page: OpenPage) -> None:
     desk = open_page("worm")
     page, session = desk.page, desk.session

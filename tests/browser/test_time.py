@@ -10,7 +10,6 @@ from playwright.sync_api import Browser
 import sim
 from app.server.serve import serving
 from app.session import commands
-from tests.amount import every_other_day
 from tests.browser.conftest import DESKTOP, OpenPage
 from tests.browser.driver import Desk, Served, rough_context
 
@@ -29,7 +28,6 @@ def assert_shows(desk: Desk, positions: np.ndarray) -> None:
     desk.until(shows, "the page shows that moment")
 
 
-@every_other_day(True)
 def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("rest_angle", 12.0))
@@ -86,7 +84,6 @@ def test_the_scene_before_comes_back_and_is_fitted_to_the_window(open_page: Open
     desk.until(lambda: desk.camera().same(seen), "from where it was seen before")
 
 
-@every_other_day(False)
 def test_a_reload_comes_back_to_where_it_was_with_what_can_be_undone(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
     desk.tell(commands.Open(sim.load_scene("ring")), commands.SetValue("linear_stiffness", 7000.0))

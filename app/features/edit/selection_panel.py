@@ -15,6 +15,7 @@ from sim.edit.build import pin, remove
 from sim.edit.edit import Edit, Selection, counted
 from sim.edit.values import (
     NUMBERS,
+    SIDES,
     STARTS,
     Kind,
     Number,
@@ -22,7 +23,9 @@ from sim.edit.values import (
     number,
     scale_number,
     set_number,
+    set_side,
     set_start,
+    sides_of,
     take_as_rest,
     values_of,
 )
@@ -150,6 +153,8 @@ class SelectionPanel:
                     self._rows += map(self._row, _OF_MUSCLES)
             for row in self._rows:
                 row.take(shown.get(row.of), is_new)
+            for side in self._sides:
+                side.take(scene, selection)
             self._proportions.visible = any(each.note == "mixed" for each in shown.values())
             self._holding.visible = bool(selection.masses)
             folder.label = describe(selection)
@@ -163,6 +168,7 @@ class SelectionPanel:
         folder = gui.add_folder("", order=ORDER)
         with folder:
             self._rows = [self._row(of) for of in _ALL if of not in _OF_MUSCLES]
+            self._sides = [_Side(self._page, kind, label) for kind, label in _SIDE_LABELS]
             self._proportions = gui.add_checkbox(
                 "Keep proportions",
                 initial_value=False,
@@ -190,6 +196,48 @@ class SelectionPanel:
         change = make_change(of, value, bool(self._proportions.value))
         key = f"{of.kind}.{of.field}.{of.axis} {hash(self._session.selection)}"
         self._session.post(commands.Change(change, key))
+
+
+_SIDE_LABELS: tuple[tuple[Kind, str], ...] = (
+    ("linear_springs", "Springs act"),
+    ("angular_springs", "Joints act"),
+)
+
+
+class _Side:
+    """A choice of the side on which the selected springs, or joints, act.
+
+    Args:
+        page: the page.
+        kind: which of them.
+        label: of the box.
+    """
+
+    def __init__(self, page: Page, kind: Kind, label: str) -> None:
+        self._kind, self._label, self._words = kind, label, SIDES[kind]
+        self._box = page.client.gui.add_dropdown(
+            label, tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
+            hint="a rope only pulls, and a stop acts on one side of its rest angle",
+        )  # fmt: skip
+
+        def choose() -> None:
+            only = next(side for side, words in self._words.items() if words == self._box.value)
+            page.session.post(
+                commands.Change(
+                    lambda moment, selection: set_side(moment.scene, kind, parts_of(selection, kind), only)
+                )
+            )
+
+        on_change(self._box, choose)
+
+    def take(self, scene: Scene, selection: Selection) -> None:
+        """Show what the selected parts act on."""
+        parts = parts_of(selection, self._kind)
+        self._box.visible = bool(parts)
+        if parts:
+            sides = sides_of(scene, self._kind, parts)
+            self._box.label = f"{self._label} (mixed)" if len(sides) > 1 else self._label
+            self._box.value = self._words[max(sides)]
 
 
 class _Row:
