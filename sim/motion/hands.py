@@ -26,21 +26,23 @@ from .stability import quick_limit
 _TOO_MANY = 8e4
 """Number of masses times the number of steps of an explicit method per simulated second, 1/s, above which
 hands are rate-limited. Bodies with half or a tenth of that can follow an anchor that is moved by thousands of
-pixels in a frame."""
+pixels in a frame. Doubled or halved, `test_only_long_stiff_rods_limit_the_speed_of_a_hand` fails."""
 
 _PART = 1.0 / 3.0
-"""Largest speed of a hand as a fraction of the speed at which a pull travels through the springs."""
+"""Largest speed of a hand as a fraction of the speed at which a pull travels through the springs. Doubled
+or halved, `test_an_anchor_torn_away_costs_no_more_than_a_calm_one` fails."""
 _SLOWEST = 100.0
-"""Speed, px/s, that is always allowed."""
+"""Speed, px/s, that is always allowed. Doubled or halved, no test of hands fails."""
 
 _APPROACH_RATE = 30.0
 """Rate at which a hand approaches the pointer, 1/s."""
 
 LONGEST_PART = 0.02
-"""Longest time, s, for which the acceleration of a hand is taken to be linear in time."""
+"""Longest time, s, for which the acceleration of a hand is taken to be linear in time. Doubled,
+`test_a_hand_waits_when_attempts_run_out` fails."""
 
 _THERE = 1e-9
-"""Distance, px, from its goal below which a hand has arrived."""
+"""Distance, px, from its goal below which a hand has arrived. Doubled or halved, no test of hands fails."""
 
 
 class HandMotion(NamedTuple):

@@ -214,7 +214,8 @@ class _Side:
     """
 
     def __init__(self, page: Page, kind: Kind, label: str) -> None:
-        self._kind, self._label, self._words = kind, label, SIDES[kind]
+        self._kind: Kind = kind
+        self._label, self._words = label, SIDES[kind]
         self._box = page.client.gui.add_dropdown(
             label, tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
             hint="a rope only pulls, and a stop acts on one side of its rest angle",
