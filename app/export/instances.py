@@ -81,23 +81,23 @@ def _rest_lengths(sketch: Sketch, picture: Picture) -> Floats:
 def springs(sketch: Sketch, picture: Picture, with_ropes: bool = False) -> Instances:
     """Coils or bars, without a size where a spring is broken or, unless they are wanted, a rope."""
     start, angles, lengths = _between(sketch, picture.positions)
-    rest, sides = _rest_lengths(sketch, picture), np.zeros(len(lengths))
-    for spring, side in sketch.one_sided:
-        sides[spring] = side
+    rest = _rest_lengths(sketch, picture)
     # A buffer that touches nothing is as long as it rests.
-    lengths = np.where(sides < 0.0, np.minimum(lengths, rest), lengths)
+    lengths[sketch.buffers] = np.minimum(lengths, rest)[sketch.buffers]
     strain = (lengths / rest - 1.0) / sketch.full_strain
     widths = sketch.thickness
     if not sketch.bars:
         # A coil that is pulled far gets thinner, as a real one does, but never thicker than its masses.
         widths = widths * np.clip(np.sqrt(rest / np.maximum(lengths, 1e-12)), THINNEST, THICKEST)
     coils = Instances(start, angles, lengths, widths, _colored(strain_colors(sketch), strain))
-    return coils.only(_whole(len(lengths), broken_of(picture.damage)) & ((sides <= 0.0) | with_ropes))
+    shown = _whole(len(lengths), broken_of(picture.damage))
+    shown[sketch.ropes] &= with_ropes
+    return coils.only(shown)
 
 
 def ropes(sketch: Sketch, picture: Picture) -> Instances:
     """The pieces of springs that only pull: straight where taut, and hanging in a parabola where slack."""
-    some = np.array([spring for spring, side in sketch.one_sided if side > 0.0], np.int64)
+    some = sketch.ropes
     start, angles, lengths = (each[some] for each in _between(sketch, picture.positions))
     rest = _rest_lengths(sketch, picture)[some]
     full = sketch.full_strain if len(sketch.full_strain) == 1 else sketch.full_strain[some]

@@ -93,7 +93,7 @@ class Painter:
         pen.stamp("pin", instances.pins(sketch, picture))
         if len(sketch.springs):
             pen.stamp(sketch.spring_shape, instances.springs(sketch, picture))
-        if sketch.has_ropes:
+        if len(sketch.ropes):
             pen.stamp("bar", instances.ropes(sketch, picture))
         if sketch.yields:
             pen.stamp("bar", instances.yielded(sketch, picture))

@@ -171,17 +171,15 @@ export function springs(body) {
   const result = instances(count);
   const strain = new Float64Array(count);
   const { stretch } = swings(plan, frame.time);
-  const sides = new Map(Array.from({ length: plan.oneSided.length / 2 }, (_, k) => [plan.oneSided[2 * k], plan.oneSided[2 * k + 1]]));
   for (let i = 0; i < count; i++) {
     const line = lineOf(plan, world, i);
     const rest = restOf(body, i, stretch);
-    const side = sides.get(i) ?? 0;
     // A buffer that touches nothing is as long as it rests.
-    if (side < 0) line.length = Math.min(line.length, rest);
+    if (plan.buffers.includes(i)) line.length = Math.min(line.length, rest);
     strain[i] = strainOf(plan, i, line.length, rest);
     // A stretched coil gets thinner, as a real one does; a squeezed one never gets thicker than its masses.
     const part = plan.bars ? 1 : Math.min(THICKEST, Math.max(THINNEST, Math.sqrt(rest / line.length)));
-    putAlong(result, i, line, Z.spring, damage.broken.has(i) || side > 0 ? null : part * plan.thickness[i]);
+    putAlong(result, i, line, Z.spring, damage.broken.has(i) || plan.ropes.includes(i) ? null : part * plan.thickness[i]);
   }
   return { ...result, batched_colors: colored(plan.strainColors, strain, 1) };
 }
@@ -189,24 +187,21 @@ export function springs(body) {
 /** Springs that only pull: taut they are straight, and slack they hang in a parabola as long as they rest. @param {Body} body */
 export function ropes(body) {
   const { plan, frame, world, damage } = body;
-  const some = [...plan.oneSided].flatMap((spring, k) => (k % 2 === 0 && plan.oneSided[k + 1] > 0 ? [spring] : []));
-  const result = instances(some.length * ROPE_PIECES);
-  const strain = new Float64Array(some.length);
+  const result = instances(plan.ropes.length * ROPE_PIECES);
+  const strain = new Float64Array(plan.ropes.length);
   const { stretch } = swings(plan, frame.time);
-  some.forEach((spring, k) => {
+  plan.ropes.forEach((spring, k) => {
     const { x, y, angle, length } = lineOf(plan, world, spring);
     const rest = restOf(body, spring, stretch);
     strain[k] = Math.max(0, strainOf(plan, spring, length, rest));
     // That of a parabola that hardly sags, and of a loop that hangs from one point.
     const sag = Math.sqrt(Math.max(0, ((rest - length) * (2 * rest + length)) / 8));
-    /** @param {number} part */
-    const at = (part) => [x + part * length * Math.cos(angle), y + part * length * Math.sin(angle) - 4 * sag * part * (1 - part)];
+    const [dx, step] = [(length * Math.cos(angle)) / ROPE_PIECES, (length * Math.sin(angle)) / ROPE_PIECES];
     for (let n = 0; n < ROPE_PIECES; n++) {
-      const [from, to] = [at(n / ROPE_PIECES), at((n + 1) / ROPE_PIECES)];
-      const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-      const piece = { x: from[0], y: from[1], angle: Math.atan2(dy, dx), length: Math.hypot(dx, dy) };
-      const width = damage.broken.has(spring) ? null : ROPE * plan.thickness[spring];
-      putAlong(result, k * ROPE_PIECES + n, piece, Z.spring, width);
+      const part = n / ROPE_PIECES;
+      const dy = step - (4 * sag * (1 - 2 * part - 1 / ROPE_PIECES)) / ROPE_PIECES;
+      const piece = { x: x + n * dx, y: y + n * step - 4 * sag * part * (1 - part), angle: Math.atan2(dy, dx), length: Math.hypot(dx, dy) };
+      putAlong(result, k * ROPE_PIECES + n, piece, Z.spring, damage.broken.has(spring) ? null : ROPE * plan.thickness[spring]);
     }
   });
   return { ...result, batched_colors: colored(plan.strainColors, strain, ROPE_PIECES) };
@@ -330,7 +325,7 @@ export const NODES = {
   muscles: { mesh: "belly", draw: (body) => muscles(body, false), has: ({ plan }) => plan.muscles.length > 0 },
   pins: { mesh: "pin", draw: pins, has: ({ plan }) => plan.pinned.length > 0 },
   springs: { mesh: "", draw: springs },
-  ropes: { mesh: "bar", draw: ropes, has: ({ plan }) => plan.oneSided.some((side, k) => k % 2 === 1 && side > 0) },
+  ropes: { mesh: "bar", draw: ropes, has: ({ plan }) => plan.ropes.length > 0 },
   yielded: { mesh: "bar", draw: yielded },
   wedges: { mesh: "slice", draw: wedges },
   ring: { mesh: "ring", draw: ring, has: ({ plan }) => plan.driven >= 0 },

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from sim import Scene
 from sim.forces.environment import is_surrounded, new_environment
-from sim.forces.one_sided import SIDES
 from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_loaded
 
@@ -118,8 +117,7 @@ class Sketch:
         muscles: (k, 6) for each muscle: 1 for a joint, 0 for a spring; index of that; amplitude (degrees for
             a joint); phase (degrees); 1 for a pulse, 0 for a sine; waves in a beat.
         beat: frequency (Hz) and phase (degrees) of the beat.
-        one_sided: for each spring that acts on one side its index, and 1 if it only pulls, -1 if it only
-            pushes.
+        ropes, buffers: indices of the springs that only pull, and only push.
         loads: (k, 3) for each constant force: index of the mass, and the arrow in the world.
     """
 
@@ -161,18 +159,14 @@ class Sketch:
         self.contact = scene.contact.distance if scene.contact else 0.0
         self.medium, self.ground = bool(scene.medium), bool(scene.ground)
         self.loads = _load_arrows(scene, mapping)
-        self.one_sided = [
-            (s, SIDES[spring.only]) for s, spring in enumerate(scene.linear_springs) if spring.only
-        ]
+        self.ropes, self.buffers = (
+            np.array([s for s, spring in enumerate(scene.linear_springs) if spring.only == side], np.int64)
+            for side in ("pull", "push")
+        )
         self.muscles = _muscles(scene)
         self.beat = (scene.beat.frequency, scene.beat.phase) if scene.beat else (0.0, 0.0)
         self.thickness = self._spring_thickness()
         self.spring_shape = self._spring_shape()
-
-    @property
-    def has_ropes(self) -> bool:
-        """Whether any spring only pulls."""
-        return any(side > 0.0 for _, side in self.one_sided)
 
     @staticmethod
     def plain(scene: Scene, dark: bool = False) -> Sketch:

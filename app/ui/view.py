@@ -49,7 +49,7 @@ def kinds_of(sketch: Sketch) -> dict[str, str]:
         "halos": "disc" if sketch.muscles[:, 0].any() else "",
         "muscles": "" if sketch.muscles[:, 0].all() else "belly",
         "springs": sketch.spring_shape if len(sketch.springs) else "",
-        "ropes": "bar" if sketch.has_ropes else "",
+        "ropes": "bar" if len(sketch.ropes) else "",
         "yielded": "bar" if sketch.yields else "",
         "wedges": "slice" if len(sketch.joint_a) else "",
         "pins": "pin" if len(sketch.pinned) else "",

@@ -115,9 +115,8 @@ class Plan(Numbers, frozen=True, kw_only=True):
             "contact_of",
             numbers={"contact": "px, the distance at which contact begins; 0 where there is none"},
         ),
-        Section(
-            "one_sided", "of each spring that acts on one side which it is, and 1 if it only pulls, -1 if not"
-        ),
+        Section("ropes", "the springs that only pull"),
+        Section("buffers", "the springs that only push"),
         Section("loads", "of each constant force which mass it acts on, and its arrow, in the world"),
         Section(
             "muscles",

@@ -346,7 +346,8 @@ export type Layouts = {
     /** of each whether it is a gas, how many masses its loop has, and which */ fillings: Float32Array;
     /** velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing */ wind: Float32Array;
     /** px, the distance at which contact begins; 0 where there is none */ contact: number;
-    /** of each spring that acts on one side which it is, and 1 if it only pulls, -1 if not */ oneSided: Float32Array;
+    /** the springs that only pull */ ropes: Float32Array;
+    /** the springs that only push */ buffers: Float32Array;
     /** of each constant force which mass it acts on, and its arrow, in the world */ loads: Float32Array;
     /** frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing */ muscles: Float32Array;
     /** a table, from a muscle at its longest to one at its shortest */ muscleColors: Float32Array;
