@@ -171,15 +171,16 @@ export function springs(body) {
   const result = instances(count);
   const strain = new Float64Array(count);
   const { stretch } = swings(plan, frame.time);
+  const [hanging, buffers] = [new Set(plan.ropes), new Set(plan.buffers)];
   for (let i = 0; i < count; i++) {
     const line = lineOf(plan, world, i);
     const rest = restOf(body, i, stretch);
     // A buffer that touches nothing is as long as it rests.
-    if (plan.buffers.includes(i)) line.length = Math.min(line.length, rest);
+    if (buffers.has(i)) line.length = Math.min(line.length, rest);
     strain[i] = strainOf(plan, i, line.length, rest);
     // A stretched coil gets thinner, as a real one does; a squeezed one never gets thicker than its masses.
     const part = plan.bars ? 1 : Math.min(THICKEST, Math.max(THINNEST, Math.sqrt(rest / line.length)));
-    putAlong(result, i, line, Z.spring, damage.broken.has(i) || plan.ropes.includes(i) ? null : part * plan.thickness[i]);
+    putAlong(result, i, line, Z.spring, damage.broken.has(i) || hanging.has(i) ? null : part * plan.thickness[i]);
   }
   return { ...result, batched_colors: colored(plan.strainColors, strain, 1) };
 }

@@ -105,7 +105,7 @@ PATHS: dict[str, NamedScene] = {scene.name: scene for scene in _PATHS}
 """Ropes and nets, whose positions after a second are known."""
 
 CONTACT_STIFFNESS = 44_000.0
-"""kg/(px s²), of contact in heaps: rings then overlap by .13 px at most, as Box2D's do."""
+"""kg/(px s²), of contact in heaps: rings of the small heap then overlap by some .13 px, as Box2D's do."""
 
 
 def _firm_heap(rings: int) -> Scene:
