@@ -183,7 +183,7 @@ def _touching(body: StaticModel, at: Vectors) -> Touch:
     for row, numbers in enumerate(body.tables.environment.walls.rows):
         wall = WallRow(*numbers)
         normal = complex(wall.nx, wall.ny)
-        depth = ((complex(wall.x, wall.y) - at) * normal.conjugate()).real
+        depth = ((complex(wall.x, wall.y) - at) * normal.conjugate()).real + _size(body)
         here = np.flatnonzero(free & (depth >= -_TOUCHES * body.typical))
         for way, is_along in ((normal, False), (1j * normal, True))[: 2 if wall.tangential else 1]:
             masses.append(here)
@@ -196,6 +196,11 @@ def _touching(body: StaticModel, at: Vectors) -> Touch:
     return Touch(*columns)
 
 
+def _size(body: StaticModel) -> Floats:
+    """Return (n,) px, the radius of each solid mass, 0 of any other, where there are walls."""
+    return body.tables.environment.walls.size[body.system.mass_index]
+
+
 def _set_into_walls(body: StaticModel, at: Vectors, touch: Touch, pushes: Floats) -> Vectors:
     """Return the positions with each touching mass at the depth where its wall has this push, kg px/s²."""
     moved = at.copy()
@@ -203,7 +208,7 @@ def _set_into_walls(body: StaticModel, at: Vectors, touch: Touch, pushes: Floats
         wall, here = WallRow(*numbers), (touch.wall == row) & ~touch.along
         masses, normal = touch.mass[here], complex(wall.nx, wall.ny)
         weights = np.array([body.scene.masses[i].mass for i in masses])
-        depth = ((complex(wall.x, wall.y) - moved[masses]) * normal.conjugate()).real
+        depth = ((complex(wall.x, wall.y) - moved[masses]) * normal.conjugate()).real + _size(body)[masses]
         moved[masses] += (depth - np.sqrt(pushes[here] / (weights * wall.hardness))) * normal
     return moved
 

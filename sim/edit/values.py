@@ -166,7 +166,8 @@ def set_number(
     return _with_values(scene, of, dict.fromkeys(parts, value), f"{of.label} set")
 
 
-SIDES: dict[Kind, dict[str, str]] = {
+WAYS: dict[Kind, dict[str, str]] = {
+    "masses": {"": "as points", "solid": "as balls"},
     "linear_springs": {"": "both ways", "pull": "pulls only", "push": "pushes only"},
     "angular_springs": {
         "": "on both sides",
@@ -174,35 +175,40 @@ SIDES: dict[Kind, dict[str, str]] = {
         "below": "below its angle only",
     },
 }
-"""What springs and joints can be set to act on, by `only`, with words for people; "" for both sides."""
+"""How parts can be set to act, with words for people: masses by `solid`, springs and joints by `only`."""
 
 
-def sides_of(scene: Scene, kind: Kind, parts: Collection[int]) -> set[str]:
-    """Return the different sides, keys of `SIDES`, on which some springs or joints act."""
+def ways_of(scene: Scene, kind: Kind, parts: Collection[int]) -> set[str]:
+    """Return the different ways, keys of `WAYS`, in which some parts act."""
     every = getattr(scene, kind)
+    if kind == "masses":
+        return {"solid" if every[i].solid else "" for i in parts}
     return {every[i].only or "" for i in parts}
 
 
-def set_side(scene: Scene, kind: Kind, parts: Collection[int], only: str) -> Edit:
-    """Let some springs or joints act on one side only, or on both.
+def set_way(scene: Scene, kind: Kind, parts: Collection[int], way: str) -> Edit:
+    """Let some masses touch as balls or as points, or some springs or joints act on one side or on both.
 
     Args:
         scene: the scene.
-        kind: "linear_springs" or "angular_springs".
+        kind: the kind of parts.
         parts: their indices.
-        only: a key of `SIDES`.
+        way: a key of `WAYS`.
 
     Raises:
         SettingError: they cannot act like that.
         SceneError: a part does not exist.
     """
-    if only not in SIDES[kind]:
-        raise SettingError(f"only: {only!r} is not one of {', '.join(side for side in SIDES[kind] if side)}")
+    if way not in WAYS[kind]:
+        raise SettingError(f"{way!r} is not one of {', '.join(each for each in WAYS[kind] if each)}")
     scene = of_parts(scene)
     every = getattr(scene, kind)
     refuse_missing(parts, len(every), _WORDS[kind])
-    new = [(i, msgspec.structs.replace(every[i], only=only or msgspec.UNSET)) for i in parts]
-    what = f"{counted(len(parts), _WORDS[kind])} {'act' if len(parts) > 1 else 'acts'} {SIDES[kind][only]}"
+    field, value = ("solid", True) if kind == "masses" else ("only", way)
+    new = [(i, msgspec.structs.replace(every[i], **{field: value if way else msgspec.UNSET})) for i in parts]
+    acts = "touch" if kind == "masses" else "act"
+    verb = acts if len(parts) > 1 else {"touch": "touches", "act": "acts"}[acts]
+    what = f"{counted(len(parts), _WORDS[kind])} {verb} {WAYS[kind][way]}"
     return Edit(what, msgspec.structs.replace(scene, **{kind: changed(every, new)}))
 
 

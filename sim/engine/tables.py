@@ -208,6 +208,7 @@ class Scratch(Table):
     batch_a: Indices
     batch_b: Indices
     batch_force: Rows  # (5, B) F.x, F.y, G.x, G.y, kg px/s²; t
+    batch_reach: Floats  # (B,) px, at which they touch
     # Tangential springs (8, B): current stretch, px; a row of `State.contact_stretch`; 1 if there is one,
     # else 0.
     batch_stretch: Rows

@@ -46,7 +46,7 @@ from .fillings import FillingRow
 from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
 from .resistance import of_whole_springs
 from .touch.broad_phase import update_pairs
-from .touch.contact import energy_along_spring, energy_on_spring
+from .touch.contact import energy_along_spring, energy_on
 
 _ON = 1e-9
 """Force below the yield force, as a fraction of it, from which on a spring that is pulled further yields."""
@@ -437,7 +437,7 @@ def commit_plasticity(problem, q, v, to_q, to_v, h):
             balance.work.broken -= 0.5 * force * force / stiffness
             if body.environment.contact.present:
                 update_pairs(body, to_q[:slots], to_q[slots:])
-                balance.work.broken -= energy_on_spring(body, to_q, s)
+                balance.work.broken -= energy_on(body, to_q, s)
                 balance.work.broken -= energy_along_spring(body, state, to_q, s)
             broke = True
     for j in range(body.joints):

@@ -30,7 +30,9 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         position: at the start, px, each coordinate within ±1e6.
         velocity: at the start, px/s, each component within ±1e9; ignored while the mass is held.
         mass: 1e-6..1e6 kg.
-        radius: 1e-3..1e4 px; used for drawing only.
+        radius: 1e-3..1e4 px, with which it is drawn, and touches what it meets if it is solid.
+        solid: whether it touches as a ball of its radius: other solid masses, walls, and springs where the
+            scene has contact; see `Contact`. Omitted in files if it is a point.
         force: a constant force on it (a point load), each component within ±1e15 kg px/s²; omitted in files
             if there is none. A held mass passes it on to its support.
     """
@@ -39,6 +41,7 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     velocity: tuple[Speed, Speed] = (0.0, 0.0)
     mass: Kilograms = 1.0
     radius: Radius = 6.0
+    solid: bool | msgspec.UnsetType = msgspec.UNSET
     force: tuple[ForceComponent, ForceComponent] | msgspec.UnsetType = msgspec.UNSET
 
 

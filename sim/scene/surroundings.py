@@ -81,7 +81,8 @@ class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """An infinite straight wall, floor or slope, which pushes back every mass that has entered it.
+    """An infinite straight wall, floor or slope, which pushes back every mass that has entered it, a solid mass
+    as soon as its surface has.
 
     A mass m at the depth d is pushed out with m hardness d² (1 + c s), where s is the speed at which it
     enters, and c follows from the bounciness (Hunt & Crossley 1975). Under gravity g it therefore comes to
@@ -163,12 +164,15 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     stiffness d² (1 + c s) at the depth d, as by a wall; the opposite force is divided between the spring's
     two masses, more to the nearer one. A mass with the kinetic energy stiffness distance³ / 3 passes through.
 
-    A mass never touches springs attached to it, nor springs of its own body (masses connected by springs)
-    that are nearer than 1.25 times the distance in the scene's initial positions. Masses without springs do
-    not touch each other.
+    Masses that are solid touch each other where their radii overlap, without friction, as points cannot roll;
+    and they touch springs at their radius and `distance`. Without a distance they touch each other only.
+
+    A mass never touches springs attached to it, nor springs and solid masses of its own body (masses connected
+    by springs) that are nearer than 1.25 times the distance at which they would touch in the scene's initial
+    positions.
 
     Attributes:
-        distance: 0..1e6 px, at which contact begins; 0 for none.
+        distance: 0..1e6 px, at which contact with springs begins; 0 for none.
         stiffness: 1e-3..1e12 kg/(px s²).
         friction, bounciness, slip_speed, restitution: as in `Wall`.
         tangential_stiffness: 0..1e12 kg/s², of the tangential springs that make masses stick, see `Wall`; 0

@@ -169,7 +169,8 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         medium: a viscous medium around all springs, which the wind moves; omitted in files if there is none.
         ground: ground below all springs of a scene seen from above; omitted in files if there is none.
         walls: walls, floors and slopes.
-        contact: contact of bodies with each other and with themselves, or None.
+        contact: contact of bodies with each other and with themselves, or None; solid masses touch each other
+            even so, with the numbers of an empty `Contact`.
         rest_length_scale: 0.01..100; multiplies every rest length.
         beat: the common beat of all muscles, which rest without one; omitted in files if there is none.
         template: one of the tutorial's eight rest angles for every joint, or None. The angular springs must

@@ -297,6 +297,17 @@ def test_numbers_of_muscles_get_their_boxes_with_the_first_muscle() -> None:
     assert not any("uscle" in label for label in page.shown())
 
 
+def test_masses_become_balls() -> None:
+    page = Page(rope())
+    page.select(masses=(1, 2))
+    page.frames(1)
+    assert page.made["Masses touch"].value == "as points"
+    page.enter("Masses touch", "as balls")
+    assert [mass.solid for mass in page.scene.masses[:4]] == [msgspec.UNSET, True, True, msgspec.UNSET]
+    page.enter("Masses touch", "as points")
+    assert page.scene.masses[1].solid is msgspec.UNSET
+
+
 def test_springs_become_ropes_and_joints_stops() -> None:
     page = Page(rope())
     page.select(springs=(0, 1), joints=(0,))
@@ -309,9 +320,11 @@ def test_springs_become_ropes_and_joints_stops() -> None:
     assert page.scene.angular_springs[0].only == "above"
     page.select(springs=(0, 2))
     page.frames(1)
-    assert springs.label == "Springs act (mixed)"
+    assert (springs.value, springs.options[0]) == ("mixed", "mixed")
     assert not joints.is_shown
-    page.enter("Springs act (mixed)", "both ways")
+    page.enter("Springs act", "mixed")  # nothing changes
+    assert page.scene.linear_springs[0].only == "pull"
+    page.enter("Springs act", "both ways")
     assert [spring.only for spring in page.scene.linear_springs] == [msgspec.UNSET, "pull", msgspec.UNSET]
     page.frames(1, commands.Undo())
     assert page.scene.linear_springs[0].only == "pull"

@@ -79,6 +79,10 @@ TOUCHING = {
 TOUCHING["girder that sticks to itself"] = ("girder", HELD)
 BROKEN = "girder in contact, partly broken"
 TOUCHING[BROKEN] = ("girder", SOFT)
+SOLID = "girder of solid masses that touch themselves and walls"
+TOUCHING[SOLID] = ("girder", SOFT)
+ALONE = "girder of solid masses that touch each other only"
+TOUCHING[ALONE] = ("girder", CONSTANT)
 
 ONE_SIDED = "springs and joints of one side"
 
@@ -103,12 +107,18 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
     if kind == BROKEN:
         pose = replace(known(scene.pose), damage=Damage(broken=(0, 1, 2, 3)))
         return replace(with_springs(scene, strength=1e9), pose=pose)
+    if kind in (SOLID, ALONE):
+        # Small in the scene's own places, so that they are not neighbours that never touch.
+        masses = [replace(one, solid=i % 4 > 0, radius=8.0 + i % 3) for i, one in enumerate(scene.masses)]
+        scene = replace(scene, masses=tuple(masses))
+        return replace(scene, **KINDS["walls"]) if kind == SOLID else replace(scene, contact=None)
     return scene
 
 
 def bare(scene: Scene) -> Scene:
     """The scene without anything that surrounds or touches the body, whose parts act on both sides."""
     added = {name for kind in KINDS.values() for name in kind} | {"contact"}
+    scene = replace(scene, masses=tuple(replace(mass, solid=msgspec.UNSET) for mass in scene.masses))
     scene = with_joints(with_springs(scene, only=msgspec.UNSET), only=msgspec.UNSET)
     return replace(scene, **{each.name: each.default for each in fields(Scene) if each.name in added})
 

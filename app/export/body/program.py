@@ -18,6 +18,7 @@ import sim
 from sim.errors import InputError
 from sim.forces.all import TERMS
 from sim.forces.touch.walls import WallRow
+from sim.scene.columns import is_set_in_any
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name
 from sim.solve.registry import METHODS
@@ -339,7 +340,8 @@ def check_forces(scene: Scene, what: str = "a program") -> None:
 def unknown_forces(scene: Scene) -> list[str]:
     """Names of the forces on a scene's body that are not known outside softrod."""
     acting = (term for term in TERMS if term.acts(scene))
-    return [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
+    names = [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
+    return [*names, *(["solid masses"] if is_set_in_any(scene.masses, "solid") else [])]
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:

@@ -15,19 +15,19 @@ from sim.edit.build import pin, remove
 from sim.edit.edit import Edit, Selection, counted
 from sim.edit.values import (
     NUMBERS,
-    SIDES,
     STARTS,
+    WAYS,
     Kind,
     Number,
     middle_of_starts,
     number,
     scale_number,
     set_number,
-    set_side,
     set_start,
-    sides_of,
+    set_way,
     take_as_rest,
     values_of,
+    ways_of,
 )
 
 from ...session import commands
@@ -153,8 +153,8 @@ class SelectionPanel:
                     self._rows += map(self._row, _OF_MUSCLES)
             for row in self._rows:
                 row.take(shown.get(row.of), is_new)
-            for side in self._sides:
-                side.take(scene, selection)
+            for way in self._ways:
+                way.take(scene, selection)
             self._proportions.visible = any(each.note == "mixed" for each in shown.values())
             self._holding.visible = bool(selection.masses)
             folder.label = describe(selection)
@@ -168,7 +168,7 @@ class SelectionPanel:
         folder = gui.add_folder("", order=ORDER)
         with folder:
             self._rows = [self._row(of) for of in _ALL if of not in _OF_MUSCLES]
-            self._sides = [_Side(self._page, kind, label) for kind, label in _SIDE_LABELS]
+            self._ways = [_Way(self._page, *way) for way in _WAY_BOXES]
             self._proportions = gui.add_checkbox(
                 "Keep proportions",
                 initial_value=False,
@@ -198,47 +198,56 @@ class SelectionPanel:
         self._session.post(commands.Change(change, key))
 
 
-_SIDE_LABELS: tuple[tuple[Kind, str], ...] = (
-    ("linear_springs", "Springs act"),
-    ("angular_springs", "Joints act"),
+_ONE_SIDED = "a rope only pulls, and a stop acts on one side of its rest angle"
+_WAY_BOXES: tuple[tuple[Kind, str, str], ...] = (
+    ("masses", "Masses touch", "balls touch each other, walls, and where there is contact, springs"),
+    ("linear_springs", "Springs act", _ONE_SIDED),
+    ("angular_springs", "Joints act", _ONE_SIDED),
 )
+_MIXED = "mixed"
+"""What a choice shows where the selected parts act in several ways."""
 
 
-class _Side:
-    """A choice of the side on which the selected springs, or joints, act.
+class _Way:
+    """A choice of how the selected masses, springs or joints act.
 
     Args:
         page: the page.
         kind: which of them.
         label: of the box.
+        hint: what is chosen, in a few words.
     """
 
-    def __init__(self, page: Page, kind: Kind, label: str) -> None:
+    def __init__(self, page: Page, kind: Kind, label: str, hint: str) -> None:
         self._kind: Kind = kind
-        self._label, self._words = label, SIDES[kind]
+        self._words = WAYS[kind]
         self._box = page.client.gui.add_dropdown(
             label, tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
-            hint="a rope only pulls, and a stop acts on one side of its rest angle",
+            hint=hint,
         )  # fmt: skip
 
         def choose() -> None:
-            only = next(side for side, words in self._words.items() if words == self._box.value)
-            page.session.post(
-                commands.Change(
-                    lambda moment, selection: set_side(moment.scene, kind, parts_of(selection, kind), only)
+            way = next((way for way, words in self._words.items() if words == self._box.value), None)
+            if way is not None:
+                page.session.post(
+                    commands.Change(
+                        lambda moment, selection: set_way(moment.scene, kind, parts_of(selection, kind), way)
+                    )
                 )
-            )
 
         on_change(self._box, choose)
 
     def take(self, scene: Scene, selection: Selection) -> None:
-        """Show what the selected parts act on."""
+        """Show how the selected parts act."""
         parts = parts_of(selection, self._kind)
         self._box.visible = bool(parts)
         if parts:
-            sides = sides_of(scene, self._kind, parts)
-            self._box.label = f"{self._label} (mixed)" if len(sides) > 1 else self._label
-            self._box.value = self._words[max(sides)]
+            ways, words = ways_of(scene, self._kind, parts), tuple(self._words.values())
+            shown = _MIXED if len(ways) > 1 else self._words[max(ways)]
+            options = (_MIXED, *words) if shown == _MIXED else words
+            if self._box.options != options:
+                self._box.options = options
+            self._box.value = shown
 
 
 class _Row:

@@ -30,18 +30,19 @@ def room_for_batches(body: Body) -> dict[str, NDArray[Any]]:
     if not body.environment.contact.present:
         return {}
     slots = {name: np.zeros(BATCH, np.int64) for name in ("batch_mass", "batch_a", "batch_b")}
-    return {**slots, "batch_force": np.zeros((5, BATCH)), "batch_stretch": np.zeros((8, BATCH))}
+    rows = {"batch_force": np.zeros((5, BATCH)), "batch_stretch": np.zeros((8, BATCH))}
+    return {**slots, **rows, "batch_reach": np.zeros(BATCH)}
 
 
 @kernel(internal=True, fastmath=FUSED)
 def add_in_batches(body, state, scratch, q, v):
     """Add the forces of all pairs that touch; the list of pairs must be up to date."""
     contact, slots, count = body.environment.contact, q.size // 2, 0
-    x, y, near = q[:slots], q[slots:], contact.distance * contact.distance
-    mass, ends_a, ends_b = scratch.batch_mass, scratch.batch_a, scratch.batch_b
-    for s in range(body.springs):
+    x, y, size = q[:slots], q[slots:], contact.size
+    mass, ends_a, ends_b, reaches = scratch.batch_mass, scratch.batch_a, scratch.batch_b, scratch.batch_reach
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
-        a, b = np.uint64(body.spring_a[s]), np.uint64(body.spring_b[s])
+        a, b, thickness = np.uint64(contact.end_a[s]), np.uint64(contact.end_b[s]), contact.thickness[s]
         line = segment(x, y, a, b)
         while first < behind:
             until = min(behind, first + BATCH - count)
@@ -49,10 +50,11 @@ def add_in_batches(body, state, scratch, q, v):
             for p in range(np.uint64(first), np.uint64(until)):
                 m, k = np.uint64(contact.member[p]), np.uint64(count)
                 _, dx, dy = meeting(line, x[m], y[m])
-                mass[k], ends_a[k], ends_b[k] = m, a, b
-                count += 1 if dx * dx + dy * dy < near else 0
+                reach = thickness + size[m]
+                mass[k], ends_a[k], ends_b[k], reaches[k] = m, a, b, reach
+                count += 1 if dx * dx + dy * dy < reach * reach else 0
             if contact.tangential > 0.0:
-                _find_kept(state, scratch, s, began, count)
+                _find_kept(body, state, scratch, s, began, count)
             first = until
             if count == BATCH:
                 _add_batch(body, state, scratch, q, v, count)
@@ -62,11 +64,14 @@ def add_in_batches(body, state, scratch, q, v):
 
 
 @kernel(internal=True, fastmath=FUSED)
-def _find_kept(state, scratch, s, began, count):
-    """Note what the tangential springs of spring s have kept, for its pairs from `began` on in the batch."""
+def _find_kept(body, state, scratch, s, began, count):
+    """Note what the tangential springs of spring s have kept, for its pairs from `began` on in the batch.
+    Solid masses have none."""
     kept, rows = state.contact_stretch, scratch.batch_stretch
     for k in range(began, count):
         rows[7, k] = 0.0
+        if s >= body.springs:
+            continue
         for i in range(state.contact_start[s], state.contact_start[s + 1]):
             if state.contact_mass[i] == scratch.batch_mass[k]:
                 rows[7, k] = 1.0
@@ -78,9 +83,9 @@ def _find_kept(state, scratch, s, began, count):
 def _add_batch(body, state, scratch, q, v, count):
     contact, slots = body.environment.contact, q.size // 2
     mass, ends_a, ends_b, force = scratch.batch_mass, scratch.batch_a, scratch.batch_b, scratch.batch_force
-    stretch = scratch.batch_stretch
+    stretch, reach = scratch.batch_stretch, scratch.batch_reach
     for k in range(count, whole_eights(count)):
-        mass[k], ends_a[k], ends_b[k] = mass[0], ends_a[0], ends_b[0]
+        mass[k], ends_a[k], ends_b[k], reach[k] = mass[0], ends_a[0], ends_b[0], reach[0]
     if contact.tangential > 0.0:
         _stretches_in_batch(
             whole_eights(count), q[:slots], q[slots:], mass, ends_a, ends_b,
@@ -90,8 +95,8 @@ def _add_batch(body, state, scratch, q, v, count):
         whole_eights(count),
         (contact.distance, contact.stiffness, contact.friction, contact.slip_speed, body.environment.step),
         lost_in(contact), (contact.tangential, contact.resisting),
-        state.inverse_mass, q[:slots], q[slots:], v[:slots], v[slots:], mass, ends_a, ends_b, stretch[0],
-        force[0], force[1], force[2], force[3], force[4],
+        state.inverse_mass, q[:slots], q[slots:], v[:slots], v[slots:], mass, ends_a, ends_b, reach,
+        stretch[0], force[0], force[1], force[2], force[3], force[4],
     )  # fmt: skip
     fx, fy = scratch.fx, scratch.fy
     for k in range(count):
@@ -124,7 +129,7 @@ def _stretches_in_batch(count, x, y, mass, ends_a, ends_b, kept, there, stretch)
 
 @kernel(noalias=True, fastmath=FUSED)
 def _forces_in_batch(
-    count, law, lost, tangential, w, x, y, vx, vy, mass, ends_a, ends_b, stretch, fx, fy, gx, gy, ts
+    count, law, lost, tangential, w, x, y, vx, vy, mass, ends_a, ends_b, reach, stretch, fx, fy, gx, gy, ts
 ):
     """F, G and t of each pair of a batch; the number of pairs is a multiple of eight."""
     eight_at_a_time()
@@ -143,7 +148,7 @@ def _forces_in_batch(
         mobility, mobility_along = mobilities((w[m], w[a], w[b]), t, (nx, ny), (lx, ly))
         push, rubbing, _ = push_and_friction(
             stiffness, lost, friction_coefficient(friction, distance, ex * ex + ey * ey), slip_speed,
-            tangential, h, mobility, mobility_along, distance - r, speed, along, stretch[k],
+            tangential, h, mobility, mobility_along, reach[k] - r, speed, along, stretch[k],
         )  # fmt: skip
         fx[k], fy[k] = push * nx + rubbing * ny, push * ny - rubbing * nx
         gx[k], gy[k], ts[k] = rubbing * lx, rubbing * ly, t

@@ -1,4 +1,4 @@
-"""The list of the masses that may touch each spring, found with a uniform grid in a hash table.
+"""The list of the masses that may touch each spring and each solid mass, found with a uniform grid in a hash table.
 
 The list holds all pairs that are nearer than the distance of contact plus a margin. As long as no mass has
 moved by more than half of the margin, apart from what all move together, no other pair can touch (Verlet
@@ -56,10 +56,16 @@ def cover_pairs(body, x, y, margin):
 
 
 @kernel(forceinline=True)
+def reach_of(contact, s, m):
+    """The distance at which mass m touches what is touched as number s, px; see `pairs`."""
+    return contact.thickness[s] + contact.size[m]
+
+
+@kernel(forceinline=True)
 def pairs_of(body, s):
-    """Where the masses that may touch spring s start and end in the list."""
+    """Where the masses that may touch what is touched as number s start and end in the list."""
     contact = body.environment.contact
-    if contact.broken[s] != 0.0:
+    if s < contact.first or (s < body.springs and contact.broken[s] != 0.0):
         return 0, 0
     if contact.crowded[0] != 0:
         return 0, _gather(body, s, 0)
@@ -90,19 +96,19 @@ def _find_pairs(body, x, y, margin):
         far = max(far, size_bits(x[i]), size_bits(y[i]))
     if not from_bits(far) <= _FARTHEST:
         contact.number[0] = -1.0
-        for s in range(body.springs + 1):
+        for s in range(start.size):
             start[s] = 0
         return
     contact.number[0] = margin
     _fill_grid(body, x, y)
     behind = 0
-    for s in range(body.springs):
+    for s in range(contact.first, start.size - 1):
         start[s] = behind
         if behind + body.masses > contact.member.size:
             contact.crowded[0] = 1
             return
         behind = _gather(body, s, behind)
-    start[body.springs] = behind
+    start[start.size - 1] = behind
 
 
 @kernel(fastmath=FUSED)
@@ -135,12 +141,13 @@ def _bucket_of(column, row, buckets):
 
 @kernel(fastmath=FUSED)
 def _gather(body, s, first):
-    """Write the masses that may touch spring s into the list, in ascending order; returns where they end."""
+    """Write the masses that may touch what is touched as number s into the list, in ascending order; returns
+    where they end."""
     contact = body.environment.contact
     at, member, slots = contact.at, contact.member, contact.at.size // 2
-    reach, buckets = contact.distance + contact.number[0], contact.bucket_start.size - 1
-    near, per_px = reach * reach, 1.0 / contact.cell
-    line = segment(at[:slots], at[slots:], body.spring_a[s], body.spring_b[s])
+    reach, buckets = contact.reach + contact.number[0], contact.bucket_start.size - 1
+    per_px = 1.0 / contact.cell
+    line = segment(at[:slots], at[slots:], contact.end_a[s], contact.end_b[s])
     ax, ay, ex, ey, _ = line
     left = math.floor((ax + min(ex, 0.0) - reach) * per_px)
     right = math.floor((ax + max(ex, 0.0) + reach) * per_px)
@@ -149,8 +156,7 @@ def _gather(body, s, first):
     behind = first
     if float(right - left + 1) * float(high - low + 1) > body.masses:
         for m in range(1, body.masses + 1):
-            _, dx, dy = meeting(line, at[m], at[slots + m])
-            if dx * dx + dy * dy <= near:
+            if _is_near(body, s, line, m):
                 member[behind] = m
                 behind += 1
     else:
@@ -159,9 +165,8 @@ def _gather(body, s, first):
                 k = _bucket_of(column, row, buckets)
                 for p in range(contact.bucket_start[k], contact.bucket_start[k + 1]):
                     m = contact.bucket[p]
-                    _, dx, dy = meeting(line, at[m], at[slots + m])
                     here = contact.column[m] == column and contact.row[m] == row
-                    if here and dx * dx + dy * dy <= near:
+                    if here and _is_near(body, s, line, m):
                         q = behind
                         while q > first and member[q - 1] > m:
                             member[q] = member[q - 1]
@@ -171,9 +176,20 @@ def _gather(body, s, first):
     return _without_apart(contact, s, first, behind)
 
 
+@kernel(forceinline=True, fastmath=FUSED)
+def _is_near(body, s, line, m):
+    """Whether mass m may touch what is touched as number s, whose line is given."""
+    contact = body.environment.contact
+    if s >= body.springs and not (contact.size[m] > 0.0 and m > contact.end_a[s]):
+        return False
+    _, dx, dy = meeting(line, contact.at[m], contact.at[contact.at.size // 2 + m])
+    near = reach_of(contact, s, m) + contact.number[0]
+    return dx * dx + dy * dy <= near * near
+
+
 @kernel(forceinline=True)
 def _without_apart(contact, s, first, behind):
-    """Take the masses that never touch spring s out of the list; returns where it ends."""
+    """Take the masses that never touch what is touched as number s out of the list; returns where it ends."""
     member, apart, to = contact.member, contact.apart, first
     p, last = contact.apart_start[s], contact.apart_start[s + 1]
     for k in range(first, behind):

@@ -1,4 +1,4 @@
-"""Contact of masses with linear springs: force, energy, balance, derivatives, and what it asks of a step.
+"""Contact of masses with linear springs and of solid masses with each other: force, energy, balance, derivatives, and what it asks of a step.
 
 Symbols, rows and the force of a pair are in `pairs`, how pairs are found in `broad_phase`.
 """
@@ -18,7 +18,7 @@ from ...near import near_pairs, nearest_points
 from ..events import kept_stretch, slip_fraction, stretch_since_touch, touch_fraction
 from ..term import Floats, Term, Vectors
 from .batch import add_in_batches
-from .broad_phase import cover_pairs, meeting, pairs_of, relative_move, segment, update_pairs
+from .broad_phase import cover_pairs, meeting, pairs_of, reach_of, relative_move, segment, update_pairs
 from .pairs import (
     Contacts,
     add_at_pair,
@@ -50,24 +50,25 @@ def _add_forces(body, state, scratch, q, v):
 @kernel(internal=True, fastmath=FUSED)
 def _energy(body, state, q):
     """The sum of k d³ / 3, and what tangential springs have."""
-    energy, slots = 0.0, q.size // 2
-    if body.environment.contact.present:
+    contact, energy, slots = body.environment.contact, 0.0, q.size // 2
+    if contact.present:
         update_pairs(body, q[:slots], q[slots:])
-        for s in range(body.springs):
-            energy += energy_on_spring(body, q, s)
+        for s in range(contact.first, contact.end_a.size):
+            energy += energy_on(body, q, s)
     return energy + energy_along_springs(body, state, q)
 
 
 @kernel(forceinline=True, fastmath=FUSED)
-def energy_on_spring(body, q, s):
-    """The energy of the masses that touch a spring, kg px²/s²; the list of pairs must be up to date."""
+def energy_on(body, q, s):
+    """The energy of the masses that touch what is touched as number s, kg px²/s²; the list of pairs must be up
+    to date."""
     contact, energy, slots = body.environment.contact, 0.0, q.size // 2
     first, behind = pairs_of(body, s)
-    line = segment(q[:slots], q[slots:], body.spring_a[s], body.spring_b[s])
+    line = segment(q[:slots], q[slots:], contact.end_a[s], contact.end_b[s])
     for p in range(first, behind):
         m = contact.member[p]
         _, dx, dy = meeting(line, q[m], q[slots + m])
-        depth = contact.distance - math.sqrt(dx * dx + dy * dy)
+        depth = reach_of(contact, s, m) - math.sqrt(dx * dx + dy * dy)
         if depth > 0.0:
             energy += contact.stiffness * depth * depth * depth / 3.0
     return energy
@@ -101,7 +102,7 @@ def energy_along_spring(body, state, q, s):
 def _slider(body, pair, pull):
     """(stretch, speed along, largest friction, rate of that) of a pair, as in `events.slip_fraction`; `pull`:
     the acceleration outwards of its mass, px/s²."""
-    contact, depth = body.environment.contact, body.environment.contact.distance - pair.r
+    contact, depth = body.environment.contact, pair.reach - pair.r
     friction = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
     by_depth, by_speed = 0.0, 0.0
     if depth > 0.0:
@@ -129,18 +130,16 @@ def slip_fraction_on_springs(body, state, q, v, to_q, to_v, h, unseen):
             m = contact.member[p]
             near, pair = pair_at(body, state, w, s, m, to_q, to_v, contact.margin)
             was_near, old = pair_at(body, state, w, s, m, q, v, contact.margin)
-            if near and was_near and max(contact.distance - pair.r, contact.distance - old.r) > 0.0:
+            if near and was_near and max(pair.reach - pair.r, old.reach - old.r) > 0.0:
                 weights, n, arm = (w[m], w[pair.a], w[pair.b]), (pair.nx, pair.ny), (pair.lx, pair.ly)
                 _, mobility = mobilities(weights, pair.t, n, arm)
                 pull = (pair.speed - old.speed) / h
                 start, end = _slider(body, old, pull), _slider(body, pair, pull)
                 if pair.gripped:
                     part = min(part, slip_fraction(h, spring, mobility, start, end, unseen))
-                elif pair.r < contact.distance <= old.r:
-                    depths, speeds = (
-                        (contact.distance - old.r, contact.distance - pair.r),
-                        (old.speed, pair.speed),
-                    )
+                elif pair.r < pair.reach <= old.r:
+                    depths = pair.reach - old.r, pair.reach - pair.r
+                    speeds = old.speed, pair.speed
                     part = min(part, touch_fraction(h, spring, mobility, depths, speeds, end, unseen))
     return part
 
@@ -170,11 +169,11 @@ def stick_to_springs(body, state, scratch, q0, v0, q, v, h):
                 start, end, stretch = _slider(body, old, pull), _slider(body, pair, pull), 0.0
                 if pair.gripped:
                     stretch = kept_stretch(h if was_near else 0.0, pair.tangential, start, end)
-                elif was_near and old.r > contact.distance:
+                elif was_near and old.r > pair.reach:
                     was = 0.0, *place_of(old)
                     here = pair.t, pair.r, pair.nx, pair.ny, pair.ex, pair.ey, pair.per_square
                     stretch = stretch_since_touch(
-                        h, pair.tangential, (contact.distance - old.r, contact.distance - pair.r),
+                        h, pair.tangential, (pair.reach - old.r, pair.reach - pair.r),
                         (old.speed, pair.speed), stretch_since(was, here), (old.along, pair.along), end[2],
                     )  # fmt: skip
                 masses[count], stretches[count, 0] = pair.m, stretch
@@ -197,7 +196,7 @@ def _add_power(body, state, balance, q, v, part):
     if not contact.present:
         return
     update_pairs(body, q[:slots], q[slots:])
-    for s in range(body.springs):
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
             touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
@@ -259,7 +258,7 @@ def _pair_jvp(contact, pair, change, g, definite):
     push, friction, per_square = pair.push, pair.friction, pair.per_square
     spring = contact.tangential, contact.resisting
     square = ex * ex + ey * ey
-    by_depth, by_speed = push_slopes(contact.stiffness, lost_in(contact), contact.distance - r, speed)
+    by_depth, by_speed = push_slopes(contact.stiffness, lost_in(contact), pair.reach - r, speed)
     coefficient = friction_on(contact, square)
     most = coefficient * push
     held, stiff, stuck = friction_slopes(most, contact.slip_speed, spring, pair.along, pair.stretch)
@@ -306,7 +305,7 @@ def _pair_damping_jvp(contact, pair, change):
     """
     dx, dy, fx, fy = change
     nx, ny, lx, ly = pair.nx, pair.ny, pair.lx, pair.ly
-    _, by_speed = push_slopes(contact.stiffness, lost_in(contact), contact.distance - pair.r, pair.speed)
+    _, by_speed = push_slopes(contact.stiffness, lost_in(contact), pair.reach - pair.r, pair.speed)
     more, slide = by_speed * (nx * dx + ny * dy), nx * dy - ny * dx - (fx * lx + fy * ly)
     coefficient = friction_on(contact, pair.ex * pair.ex + pair.ey * pair.ey)
     held, _, stuck = friction_slopes(
@@ -337,10 +336,12 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
     for i in range(slots):
         at[2, i] = state.inverse_mass[i]
     update_pairs(body, q[:slots], q[slots:])
-    for s in range(body.springs):
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
-        bb, ba = 4 * targets[4 * s], 4 * targets[4 * s + 1]
-        ab, aa = 4 * targets[4 * s + 2], 4 * targets[4 * s + 3]
+        bb, ba, ab, aa = 0, 0, 0, 4 * matrix.of_mass[contact.end_a[s]]
+        if s < body.springs:
+            bb, ba = 4 * targets[4 * s], 4 * targets[4 * s + 1]
+            ab, aa = 4 * targets[4 * s + 2], 4 * targets[4 * s + 3]
         for p in range(first, behind):
             touches, pair = pair_at(body, state, state.inverse_mass, s, contact.member[p], q, v)
             if touches:
@@ -354,6 +355,9 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
                         e = 2 * part + axis
                         f, h, fe, he = by_d[part], by_d[2 + part], by_e[part], by_e[2 + part]
                         blocks[mm + e] += f
+                        if s >= body.springs:
+                            blocks[aa + e] += f
+                            continue
                         blocks[bb + e] += t * t * f - t * (h + fe) + he
                         blocks[ba + e] += t * u * f + t * fe - u * h - he
                         blocks[ab + e] += u * t * f + t * h - u * fe - he
@@ -369,7 +373,7 @@ def add_coupling(body, state, matrix, z, out):
     q, v, w = matrix.coupling_state[0], matrix.coupling_state[1], matrix.coupling_state[2]
     g, definite = matrix.coupling[COUPLING_G], matrix.coupling[COUPLING_DEFINITE] > 0.0
     update_pairs(body, q[:slots], q[slots:])
-    for s in range(body.springs):
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
             touches, pair = pair_at(body, state, w, s, contact.member[p], q, v)
@@ -389,7 +393,7 @@ def _add_damping(body, state, q, v, z, factor, out):
     if not contact.present:
         return
     update_pairs(body, q[:slots], q[slots:])
-    for s in range(body.springs):
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
         for p in range(first, behind):
             touches, pair = pair_at(body, state, w, s, contact.member[p], q, v)
@@ -410,9 +414,9 @@ def _impact_time(body, state, q, v, a, h):
     if not contact.present:
         return shortest
     update_pairs(body, q[:slots], q[slots:])
-    for s in range(body.springs):
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
-        i, k = body.spring_a[s], body.spring_b[s]
+        i, k = contact.end_a[s], contact.end_b[s]
         line = segment(q[:slots], q[slots:], i, k)
         for p in range(first, behind):
             m = contact.member[p]
@@ -423,7 +427,7 @@ def _impact_time(body, state, q, v, a, h):
                 nx, ny = dx / (r + 1e-300), dy / (r + 1e-300)
                 speed = _outwards(v, nx, ny, slots, m, i, k, t)
                 outwards = _outwards(a, nx, ny, slots, m, i, k, t)
-                hardness, depth = contact.stiffness * mobility, contact.distance - r
+                hardness, depth = contact.stiffness * mobility, reach_of(contact, s, m) - r
                 shortest = min(shortest, time_to_deepest(hardness, depth, speed, outwards, h))
     return shortest
 
@@ -441,14 +445,13 @@ def no_tunnelling(body, q, to_q):
     """Whether in a step from q to to_q no mass can have passed through a spring or gone far into one."""
     contact, slots = body.environment.contact, q.size // 2
     x, y, to_x, to_y = q[:slots], q[slots:], to_q[:slots], to_q[slots:]
-    sure = _SURE * contact.distance
     moved = relative_move(body.masses, q, to_x, to_y)
-    if moved <= sure:
+    if moved <= _SURE * contact.least:
         return True
     cover_pairs(body, x, y, moved)
-    for s in range(body.springs):
+    for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
-        a, b = body.spring_a[s], body.spring_b[s]
+        a, b = contact.end_a[s], contact.end_b[s]
         line = segment(x, y, a, b)
         for p in range(first, behind):
             m = contact.member[p]
@@ -456,7 +459,7 @@ def no_tunnelling(body, q, to_q):
             ux, uy = to_x[m] - x[m], to_y[m] - y[m]
             past_a = (ux - to_x[a] + x[a]) ** 2 + (uy - to_y[a] + y[a]) ** 2
             past_b = (ux - to_x[b] + x[b]) ** 2 + (uy - to_y[b] + y[b]) ** 2
-            way = math.sqrt(max(past_a, past_b))
+            way, sure = math.sqrt(max(past_a, past_b)), _SURE * reach_of(contact, s, m)
             if way > sure and way > math.sqrt(dx * dx + dy * dy) - sure:
                 return False
     return True
@@ -472,7 +475,8 @@ class ContactReference:
 
     def __init__(self, body: Body, state: State) -> None:
         self._contact, self._step = body.environment.contact, body.environment.step
-        self._state, self._ends = state, np.stack((body.spring_a, body.spring_b), 1)
+        self._state, self._springs = state, body.springs
+        self._ends = np.stack((self._contact.end_a, self._contact.end_b), 1)
         self._masses = np.arange(1, body.masses + 1)
         self._at = np.full(state.inverse_mass.size, np.inf + 0j)
         self._pairs = np.zeros((4, 0), np.int64)
@@ -504,13 +508,13 @@ class ContactReference:
         mobility_along = (
             free[m] + free[a] * abs(arm - (1.0 - t) * tangent) ** 2 + free[b] * abs(arm + t * tangent) ** 2
         )
-        coefficient = contact.friction * np.minimum(square / contact.distance**2, 1.0)
+        coefficient = contact.friction * np.minimum(square / max(contact.distance, 1e-150) ** 2, 1.0)
         stretch = self._stretches(pairs, t, gap, spring)
         tangential = contact.tangential, contact.resisting
         push, friction = pushes_and_frictions(
             contact.stiffness, (contact.damping, contact.hysteresis, contact.calm), coefficient,
             contact.slip_speed, tangential, self._step, mobility, mobility_along,
-            contact.distance - abs(gap), speed, stretch,
+            self._reach(pairs) - abs(gap), speed, stretch,
         )  # fmt: skip
         stiffness, _ = softened_for(tangential, self._step, mobility_along)
         return pairs, t, normal, arm, push, friction, stretch, (stiffness, coefficient * push)
@@ -520,7 +524,7 @@ class ContactReference:
         state, stretch = self._state, np.zeros(t.size)
         if not self._contact.tangential or not t.size:
             return stretch
-        of_spring = np.repeat(np.arange(len(self._ends)), np.diff(state.contact_start))
+        of_spring = np.repeat(np.arange(self._springs), np.diff(state.contact_start))
         known = of_spring * self._at.size + state.contact_mass[: of_spring.size]  # in ascending order
         keys = pairs[0] * self._at.size + pairs[1]
         k = np.searchsorted(known, keys)
@@ -538,9 +542,10 @@ class ContactReference:
         if not (contact.present and contact.tangential):
             return
         (s, m, a, b), t, _, _, _, _, stretch, (stiffness, most) = self._pushed(x, v)
-        order, bound = np.lexsort((m, s))[: state.contact_mass.size], most / stiffness
+        order, bound = np.lexsort((m, s)), most / stiffness
+        order = order[s[order] < self._springs][: state.contact_mass.size]
         kept = np.column_stack((np.clip(stretch, -bound, bound), *places(x, m, a, b, t)))
-        state.contact_start[:] = np.searchsorted(s[order], np.arange(len(self._ends) + 1))
+        state.contact_start[:] = np.searchsorted(s[order], np.arange(self._springs + 1))
         state.contact_mass[: order.size], state.contact_stretch[: order.size] = m[order], kept[order]
 
     def energy(self, x: Vectors) -> float:
@@ -548,12 +553,16 @@ class ContactReference:
         contact = self._contact
         if not contact.present:
             return 0.0
-        _, _, gap = self._touching(x)
-        energy = float((contact.stiffness * (contact.distance - abs(gap)) ** 3).sum()) / 3.0
+        pairs, _, gap = self._touching(x)
+        energy = float((contact.stiffness * (self._reach(pairs) - abs(gap)) ** 3).sum()) / 3.0
         if not contact.tangential:
             return energy
         *_, stretch, (stiffness, _) = self._pushed(x, np.zeros_like(x))
         return energy + 0.5 * float((stiffness * stretch**2).sum())
+
+    def _reach(self, pairs: NDArray[np.int64]) -> Floats:
+        """(k,) the distance at which each pair touches, px."""
+        return self._contact.thickness[pairs[0]] + self._contact.size[pairs[1]]
 
     def _touching(self, x: Vectors) -> tuple[NDArray[np.int64], Floats, Vectors]:
         """(4, k) the spring, the mass and the ends of the spring of each pair, the nearest point, and the way
@@ -567,16 +576,20 @@ class ContactReference:
         _, m, a, b = self._pairs
         t = nearest_points(x[m], x[a], x[b])
         gap = x[m] - x[a] - t * (x[b] - x[a])
-        near = abs(gap) < contact.distance
+        near = abs(gap) < self._reach(self._pairs)
         return self._pairs[:, near], t[near], gap[near]
 
     def _near(self, x: Vectors) -> NDArray[np.int64]:
-        """(4, k) the spring, the mass and the ends of the spring of each pair that may touch."""
-        contact = self._contact
-        spring, mass = near_pairs(x, self._masses, self._ends, contact.distance + contact.margin)
+        """(4, k) what is touched, the mass and the ends of the former, of each pair that may touch."""
+        contact, first = self._contact, self._contact.first
+        found, mass = near_pairs(x, self._masses, self._ends[first:], contact.reach + contact.margin)
+        touched = first + found
         never = np.repeat(np.arange(len(self._ends)), np.diff(contact.apart_start))
-        apart = np.isin(spring * x.size + mass, never * x.size + contact.apart)
-        return np.stack((spring, mass, *self._ends[spring].T))[:, ~apart & (contact.broken[spring] == 0.0)]
+        apart = np.isin(touched * x.size + mass, never * x.size + contact.apart)
+        broken = np.concatenate((contact.broken, np.zeros(len(self._ends) - self._springs)))[touched] != 0.0
+        balls = (contact.size[mass] > 0.0) & (mass > self._ends[touched, 0])
+        may = np.where(touched < self._springs, ~broken, balls)
+        return np.stack((touched, mass, *self._ends[touched].T))[:, ~apart & may]
 
 
 def direction(gap: Vectors, spring: Vectors) -> Vectors:
@@ -596,8 +609,8 @@ def places(x: Vectors, m: Indices, a: Indices, b: Indices, t: Floats) -> tuple[N
 def _bounds(body: Body) -> tuple[Floats, Floats]:
     """See `Term.bounds`: of a mass that is on a spring, as deep as it can be."""
     contact, each = body.environment.contact, np.ones(body.masses)
-    stiff = contact.stiffness * contact.distance
-    return 4.0 * stiff * each, 2.0 * contact.damping * stiff * contact.distance * each
+    stiff = contact.stiffness * contact.reach
+    return 4.0 * stiff * each, 2.0 * contact.damping * stiff * contact.reach * each
 
 
 CONTACT = Term(

@@ -1,4 +1,4 @@
-"""Pairs of a mass and a linear spring that touch, and their forces.
+"""Pairs of a mass and a linear spring, or of two solid masses, that touch, and their forces.
 
 Let p = (1 - t) a + t b be the point of a spring that is nearest to a mass, e = b - a the spring's vector, r
 the distance, n the unit vector from p to the mass, and tau = (-n.y, n.x) the one across. Where r is less than
@@ -19,6 +19,11 @@ t where n is to the left of the spring, |e| times it on the other side, and r ti
 which n has turned about an end. A mass that slides on to the next spring of a body begins anew there: it is
 sliding anyway.
 
+A solid mass is a spring of length zero whose ends are both that mass, which only solid masses of a higher slot
+touch, without friction. The distance D of contact is the thickness of what is touched plus the size of the mass
+that touches it: the thickness of a spring is the distance in the scene, that of a solid mass its radius; the
+size of a mass is its radius if it is solid, else 0.
+
 A pair's forces are w_i F + c_i G with the weights w = (1, t - 1, -t) and c = (0, -1, 1) of the mass, a and b.
 """
 
@@ -32,11 +37,12 @@ import numpy as np
 from ...engine.jit import FUSED, kernel
 from ...engine.table import Floats, Indices, Table
 from ...engine.tables import padded
-from ...near import near_pairs
-from ...scene.columns import column
+from ...near import near_pairs, nearest_points
+from ...scene.columns import column, is_set_in_any
+from ...scene.surroundings import Contact
 from ...scene.types import Scene
 from ..term import Places
-from .broad_phase import meeting, segment
+from .broad_phase import meeting, reach_of, segment
 from .push import losses, push_and_friction, softened, tangential_spring
 
 _APART = 1.25
@@ -53,7 +59,7 @@ TANGENTIAL_ROOM = 8
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Contacts(Table):
-    """S springs, B buckets. The arrays from `number` on change while a body moves; the others are read-only.
+    """S springs, G things that are touched, B buckets: first the springs, then the solid masses. The arrays from `number` on change while a body moves; the others are read-only.
 
     The pairs that may touch are listed spring by spring, with the masses of each in ascending order. So sums
     over them do not depend, even by rounding, on where the masses were when the list was made. The list is no
@@ -65,7 +71,15 @@ class Contacts(Table):
     )
 
     present: bool
-    distance: float  # px
+    first: int  # the first that is touched: 0, or S where only solid masses are
+    end_a: Indices  # (G,) slots of the ends of each; twice that of a solid mass
+    end_b: Indices
+    thickness: Floats  # (G,) px
+    size: Floats  # (slots,) of each mass, px
+    sized: bool  # any mass is solid
+    reach: float  # the largest and the smallest distance at which anything touches, px
+    least: float
+    distance: float  # px, of springs
     stiffness: float  # kg/(px s²)
     friction: float  # coefficient
     slip_speed: float  # px/s
@@ -76,14 +90,14 @@ class Contacts(Table):
     resisting: float  # and their damping, kg/s
     margin: float  # px, by which pairs that are listed may be farther apart than `distance`
     cell: float  # px, width of a cell of the grid
-    apart_start: Indices  # (S + 1,) where the masses of each spring start in `apart`
-    apart: Indices  # slots of the masses that never touch a spring, ascending
+    apart_start: Indices  # (G + 1,) where the masses of each start in `apart`
+    apart: Indices  # slots of the masses that never touch it, ascending
     broken: Floats  # (S,) 1 for a spring that is broken and touches nothing any more, else 0
     # The list
     number: Floats  # (1,) the margin with which it was made, px; negative if there is none
     crowded: Indices  # (1,) 1 if it has no room for all pairs: those of a spring are then found when needed
     at: Floats  # (2 slots) positions for which it was made, px
-    start: Indices  # (S + 1,) where the masses of each spring start in `member`
+    start: Indices  # (G + 1,) where the masses of each start in `member`
     member: Indices  # slots of masses
     # A grid of square cells in a hash table
     bucket_start: Indices  # (B + 1,) where the masses of each bucket start in `bucket`; B is a power of two
@@ -96,36 +110,63 @@ NO_CONTACTS = Contacts.empty()
 
 
 def has_contact(scene: Scene) -> bool:
+    """Whether masses of a scene may touch its springs, or each other."""
+    return touches_springs(scene) or is_set_in_any(scene.masses, "solid")
+
+
+def touches_springs(scene: Scene) -> bool:
     """Whether masses of a scene may touch its springs."""
     return scene.contact is not None and scene.contact.distance > 0.0 and bool(scene.linear_springs)
+
+
+def sizes_of(scene: Scene, places: Places) -> Floats:
+    """(slots,) px, the radius of each solid mass, 0 of all others."""
+    size = np.zeros(places.slots)
+    if is_set_in_any(scene.masses, "solid"):
+        size[places.mass_index] = [mass.radius if mass.solid else 0.0 for mass in scene.masses]
+    return size
 
 
 def new_contacts(scene: Scene, places: Places) -> Contacts:
     """The table of a valid scene.
 
-    A mass never touches the springs that it is an end of. Nor does it touch a spring of its own body to which
-    it is, as the scene's masses say (and not its pose), nearer than 1.25 times the distance of contact. So
+    A mass never touches the springs that it is an end of. Nor does it touch what belongs to its own body and
+    is, as the scene's masses say (and not its pose), nearer than 1.25 times the distance of contact. So
     a body is at rest as it is built, however fine its mesh is. Parts of a scene that no springs connect are
     different bodies, which touch from the start.
     """
-    contact, mass_index, ends, slots = scene.contact, places.mass_index, places.ends, places.slots
-    springs, n = len(ends), len(scene.masses)
-    if contact is None or not has_contact(scene):
+    mass_index, slots, n = places.mass_index, places.slots, len(scene.masses)
+    if not has_contact(scene):
         return NO_CONTACTS
-    distance = contact.distance
+    contact, on_springs = scene.contact or Contact(distance=0.0), touches_springs(scene)
+    size, distance = sizes_of(scene, places), contact.distance if on_springs else 0.0
+    solid = np.flatnonzero(size)
+    ends = np.concatenate((places.ends, np.stack((solid, solid), 1)))
+    springs, touched = len(places.ends), len(ends)
+    thickness = np.concatenate((np.full(springs, distance), size[solid]))
+    first = 0 if on_springs else springs
+    reach = float(thickness[first:].max() + size.max())
     x = np.zeros(slots, complex)
     x[mass_index] = [complex(*mass.position) for mass in scene.masses]
     mobility = _TYPICAL / float(np.median(column(scene.masses, "mass")))
     lost = losses(contact.restitution, contact.bounciness, contact.stiffness, mobility)
     damping, hysteresis, calm = lost
-    tangential, resisting = tangential_spring(contact.tangential_stiffness, mobility)
-    margin = max(_MARGIN * max(distance, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
-    pairs = _apart(x, np.sort(mass_index), ends, _APART * distance)
+    tangential, resisting = tangential_spring(contact.tangential_stiffness if on_springs else 0.0, mobility)
+    margin = max(_MARGIN * max(reach, float(np.median(np.abs(x[ends[:, 1]] - x[ends[:, 0]])))), 1e-3)
+    pairs = _apart(x, np.sort(mass_index), ends, _APART * thickness, _APART * size)
     return Contacts(
         present=True,
+        first=first,
+        end_a=np.ascontiguousarray(ends[:, 0]),
+        end_b=np.ascontiguousarray(ends[:, 1]),
+        thickness=thickness,
+        size=size,
+        sized=bool(solid.size),
+        reach=reach,
+        least=float(thickness[first:].min() + (0.0 if on_springs else size[solid].min())),
         distance=distance,
         stiffness=contact.stiffness,
-        friction=contact.friction,
+        friction=contact.friction if on_springs else 0.0,
         slip_speed=contact.slip_speed,
         damping=damping,
         hysteresis=hysteresis,
@@ -133,15 +174,15 @@ def new_contacts(scene: Scene, places: Places) -> Contacts:
         tangential=tangential,
         resisting=resisting,
         margin=margin,
-        cell=2.0 * (distance + margin),
-        apart_start=np.searchsorted(pairs[0], np.arange(springs + 1)),
+        cell=2.0 * (reach + margin),
+        apart_start=np.searchsorted(pairs[0], np.arange(touched + 1)),
         apart=np.ascontiguousarray(pairs[1]),
         broken=np.zeros(springs),
         number=np.full(1, -1.0),
         crowded=np.zeros(1, np.int64),
         at=np.zeros(2 * slots),
-        start=np.zeros(springs + 1, np.int64),
-        member=np.zeros(_ROOM * springs + n, np.int64),
+        start=np.zeros(touched + 1, np.int64),
+        member=np.zeros(_ROOM * (touched - first) + n, np.int64),
         bucket_start=np.zeros(2 ** (padded(2 * n).bit_length()) + 1, np.int64),
         bucket=np.zeros(n, np.int64),
         column=np.zeros(slots, np.int64),
@@ -149,12 +190,19 @@ def new_contacts(scene: Scene, places: Places) -> Contacts:
     )
 
 
-def _apart(x: np.ndarray, masses: Indices, ends: Indices, distance: float) -> Indices:
-    """(2, k) springs and the masses that never touch them, in order."""
-    spring, mass = near_pairs(x, masses, ends, distance)
+def _apart(x: np.ndarray, masses: Indices, ends: Indices, thickness: Floats, size: Floats) -> Indices:
+    """(2, k) what is touched, and the masses of its own body that never touch it, in order.
+
+    That is where they are nearer than the sum of a `thickness`, (G,), and a `size`, (slots,).
+    """
+    spring, mass = near_pairs(x, masses, ends, float(thickness.max() + size.max()))
     body = _bodies(ends, x.size)
     own = body[mass] == body[ends[spring, 0]]
-    return np.stack((spring[own], mass[own]))  # the ends of each spring are among them
+    spring, mass = spring[own], mass[own]
+    a, b = x[ends[spring, 0]], x[ends[spring, 1]]
+    gap = abs(x[mass] - a - nearest_points(x[mass], a, b) * (b - a))
+    near = gap <= thickness[spring] + size[mass]
+    return np.stack((spring[near], mass[near]))  # the ends of each spring are among them
 
 
 def _bodies(ends: Indices, slots: int) -> Indices:
@@ -174,13 +222,14 @@ def _bodies(ends: Indices, slots: int) -> Indices:
 
 # ------------------------------------------------------------------------- a pair, and its forces
 class Pair(NamedTuple):
-    """A mass that touches a spring; the symbols are those above."""
+    """A mass that touches a spring, or another mass; the symbols are those above."""
 
     m: int  # slots of the mass and of the ends of the spring
     a: int
     b: int
     t: float
     r: float  # px
+    reach: float  # D, px
     nx: float  # n
     ny: float
     ex: float  # e, px
@@ -204,21 +253,21 @@ class Pair(NamedTuple):
 
 @kernel(forceinline=True, fastmath=FUSED)
 def pair_at(body, state, w, s, m, q, v, reach=0.0):
-    """(whether mass m is nearer to spring s than the distance of contact and `reach` px more, the pair that
-    they are; of no meaning where it is not).
+    """(whether mass m is nearer to what is touched as number s than the distance of contact and `reach` px more,
+    the pair that they are, of no meaning where it is not).
 
     Of the state, only tangential springs matter here. `w`: (slots,) inverse masses, 1/kg, which matter for
     explicit methods with a fixed step only.
     """
     contact, h, slots = body.environment.contact, body.environment.step, q.size // 2
-    a, b = body.spring_a[s], body.spring_b[s]
+    a, b, distance = contact.end_a[s], contact.end_b[s], reach_of(contact, s, m)
     line = segment(q[:slots], q[slots:], a, b)
     t, dx, dy = meeting(line, q[m], q[slots + m])
     _, _, ex, ey, per_square = line
     square = dx * dx + dy * dy
-    if not square < (contact.distance + reach) * (contact.distance + reach):
+    if not square < (distance + reach) * (distance + reach):
         return False, Pair(
-            m, a, b, t, 0.0, 0.0, 0.0, ex, ey, per_square, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+            m, a, b, t, 0.0, distance, 0.0, 0.0, ex, ey, per_square, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
             0.0, 0.0, 0.0, False, 0.0, 0.0,
         )  # fmt: skip
     r = math.sqrt(square)
@@ -230,17 +279,17 @@ def pair_at(body, state, w, s, m, q, v, reach=0.0):
     mobility, mobility_along = 0.0, 0.0
     if h > 0.0:
         mobility, mobility_along = mobilities((w[m], w[a], w[b]), t, (nx, ny), (lx, ly))
-    gripped, stretch, tangential = False, 0.0, contact.tangential
-    if tangential > 0.0:
+    gripped, stretch, tangential = False, 0.0, 0.0
+    if contact.tangential > 0.0 and s < body.springs:
         gripped, stretch = _stretch_of(state, s, m, (t, r, nx, ny, ex, ey, per_square))
         tangential, _ = softened((contact.tangential, contact.resisting), h, mobility_along)
     push, friction, elastic = push_and_friction(
         contact.stiffness, lost_in(contact),
         friction_on(contact, ex * ex + ey * ey), contact.slip_speed, (contact.tangential, contact.resisting),
-        h, mobility, mobility_along, max(contact.distance - r, 0.0), speed, along, stretch,
+        h, mobility, mobility_along, max(distance - r, 0.0), speed, along, stretch,
     )  # fmt: skip
     return True, Pair(
-        m, a, b, t, r, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
+        m, a, b, t, r, distance, nx, ny, ex, ey, per_square, vx, vy, wx, wy, lx, ly, speed, along,
         push, elastic, friction, gripped, stretch, tangential,
     )  # fmt: skip
 

@@ -1,7 +1,7 @@
 """Walls: half planes, which push back the free masses that have entered them; see `push`.
 
-With the point p and the unit normal n of a wall, a mass m at x is inside at the depth d = (p - x) . n where
-that is positive. It is pushed along n with m H d² (1 + c s), with the hardness H, 1/(px s²), and the speed s
+With the point p and the unit normal n of a wall, a mass m at x is inside at the depth d = (p - x) . n + r where
+that is positive; r is the radius of a solid mass, 0 of any other. It is pushed along n with m H d² (1 + c s), with the hardness H, 1/(px s²), and the speed s
 at which it enters, and slowed along the wall, t = (-n.y, n.x), by friction. A held mass is not pushed.
 """
 
@@ -20,6 +20,7 @@ from ...scene.surroundings import Wall
 from ...scene.types import Scene
 from ..events import kept_stretch, slip_fraction, stretch_since_touch, touch_fraction
 from ..term import Floats, Places, Term, Vectors
+from .pairs import sizes_of
 from .push import (
     friction_slopes,
     losses,
@@ -43,6 +44,7 @@ class Walls(Table):
 
     rows: Rows  # (W, 12), a `WallRow` each
     tangential: bool  # any wall has tangential springs
+    size: Floats  # (slots,) px, the radius of each solid mass, else 0
 
 
 class WallRow(NamedTuple):
@@ -65,15 +67,16 @@ class WallRow(NamedTuple):
 NOWHERE = 1e300
 """In `State.wall_place`, the place of a mass that has no tangential spring there."""
 
-NO_WALLS = Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False).read_only()
+NO_WALLS = Walls(rows=np.zeros((0, len(WallRow._fields))), tangential=False, size=np.zeros(0)).read_only()
 
 
-def new_walls(scene: Scene, _: Places) -> Walls:
+def new_walls(scene: Scene, places: Places) -> Walls:
     """The table of a valid scene."""
     if not scene.walls:
         return NO_WALLS
     rows = np.array([_row(wall) for wall in scene.walls], float).reshape(-1, len(WallRow._fields))
-    return Walls(rows=rows, tangential=any(wall.tangential_hardness for wall in scene.walls))
+    tangential = any(wall.tangential_hardness for wall in scene.walls)
+    return Walls(rows=rows, tangential=tangential, size=sizes_of(scene, places))
 
 
 def _row(wall: Wall) -> WallRow:
@@ -104,9 +107,9 @@ def _spring(wall):
 
 # ------------------------------------------------------------------------- force and energy
 @kernel(forceinline=True, fastmath=FAST)
-def _depth_in(wall, x, y):
-    """How deep a point is inside a wall, px; negative outside."""
-    return (wall.x - x) * wall.nx + (wall.y - y) * wall.ny
+def _depth_in(body, wall, i, x, y):
+    """How deep mass i at (x, y) is inside a wall, px; negative outside."""
+    return (wall.x - x) * wall.nx + (wall.y - y) * wall.ny + body.environment.walls.size[i]
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -145,7 +148,7 @@ def _add_forces(body, state, scratch, q, v):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for i in range(1, body.masses + 1):
-            depth = _depth_in(wall, q[i], q[slots + i])
+            depth = _depth_in(body, wall, i, q[i], q[slots + i])
             if depth > 0.0 and free[i] > 0.0:
                 stretch = _stretch_at(state, wall, k, i, q[i], q[slots + i])
                 push, friction, _, _ = _wall_push(wall, environment.step, depth, v[i], v[slots + i], stretch)
@@ -160,7 +163,7 @@ def _energy(body, state, q):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for i in range(1, body.masses + 1):
-            depth = _depth_in(wall, q[i], q[slots + i])
+            depth = _depth_in(body, wall, i, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 energy += environment.mass[i] * wall.hardness * depth * depth * depth / 3.0
     return energy + energy_along_walls(body, state, q)
@@ -175,7 +178,7 @@ def energy_along_walls(body, state, q):
         if wall.tangential > 0.0:
             stiffness, _ = softened(_spring(wall), environment.step, 1.0)
             for i in range(1, body.masses + 1):
-                if _depth_in(wall, q[i], q[slots + i]) > 0.0 and state.inverse_mass[i] > 0.0:
+                if _depth_in(body, wall, i, q[i], q[slots + i]) > 0.0 and state.inverse_mass[i] > 0.0:
                     stretch = _stretch_at(state, wall, k, i, q[i], q[slots + i])
                     energy += 0.5 * environment.mass[i] * stiffness * stretch * stretch
     return energy
@@ -187,7 +190,7 @@ def _slider(body, state, wall, k, i, q, v, pull):
     end of a step, for 1 kg. `pull`: acceleration outwards, px/s²."""
     slots = q.size // 2
     x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
-    depth, most, grows, speed = _depth_in(wall, x, y), 0.0, 0.0, vx * wall.nx + vy * wall.ny
+    depth, most, grows, speed = _depth_in(body, wall, i, x, y), 0.0, 0.0, vx * wall.nx + vy * wall.ny
     stretch, along = _stretch_at(state, wall, k, i, x, y), vy * wall.nx - vx * wall.ny
     if depth > 0.0:
         push, _, _, _ = _wall_push(wall, body.environment.step, depth, vx, vy, stretch)
@@ -267,7 +270,7 @@ def _add_power(body, state, balance, q, v, part):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for i in range(1, body.masses + 1):
-            depth = _depth_in(wall, q[i], q[slots + i])
+            depth = _depth_in(body, wall, i, q[i], q[slots + i])
             if depth > 0.0 and state.inverse_mass[i] > 0.0:
                 vx, vy = v[i], v[slots + i]
                 stretch = _stretch_at(state, wall, k, i, q[i], q[slots + i])
@@ -294,7 +297,7 @@ def mark_stiff_friction(body, inverse_mass, q0, q1, h, quick):
         wall = _wall(body, k)
         rate = h * wall.friction * wall.hardness / wall.slip_speed
         for i in range(1, body.masses + 1):
-            depth = max(_depth_in(wall, q0[i], q0[slots + i]), _depth_in(wall, q1[i], q1[slots + i]))
+            depth = max(_depth_in(body, wall, i, q0[i], q0[slots + i]), _depth_in(body, wall, i, q1[i], q1[slots + i]))
             if depth > 0.0 and inverse_mass[i] > 0.0 and rate * depth * depth > _STIFF:
                 quick[k, i], found = 1.0, True
     return found
@@ -315,7 +318,7 @@ def gather_others(body, state, q, v, a, part, quick):
         for i in range(1, body.masses + 1):
             if quick[k, i] > 0.0:
                 x, y, vx, vy = q[i], q[slots + i], v[i], v[slots + i]
-                depth, along, friction = _depth_in(wall, x, y), vy * wall.nx - vx * wall.ny, 0.0
+                depth, along, friction = _depth_in(body, wall, i, x, y), vy * wall.nx - vx * wall.ny, 0.0
                 if depth > 0.0:
                     stretch = _stretch_at(state, wall, k, i, x, y)
                     _, friction, _, _ = _wall_push(wall, environment.step, depth, vx, vy, stretch)
@@ -392,7 +395,7 @@ def _add_derivatives(body, state, matrix, q, v, g, definite):
         wall = _wall(body, k)
         for i in range(body.masses):
             m = matrix.order[i]
-            depth = _depth_in(wall, q[m], q[slots + m])
+            depth = _depth_in(body, wall, m, q[m], q[slots + m])
             if depth > 0.0 and state.inverse_mass[m] > 0.0:
                 stretch, gripped = (
                     _stretch_at(state, wall, k, m, q[m], q[slots + m]),
@@ -410,7 +413,7 @@ def _add_damping(body, state, q, v, z, factor, out):
     for k in range(rows.shape[0]):
         wall = _wall(body, k)
         for m in range(1, body.masses + 1):
-            depth = _depth_in(wall, q[m], q[slots + m])
+            depth = _depth_in(body, wall, m, q[m], q[slots + m])
             if depth > 0.0 and w[m] > 0.0:
                 stretch = _stretch_at(state, wall, k, m, q[m], q[slots + m])
                 _, block = _wall_derivatives(wall, depth, v[m], v[slots + m], stretch, False, False)
@@ -428,7 +431,7 @@ def _impact_time(body, state, q, v, a, h):
         nx, ny, hardness = wall.nx, wall.ny, wall.hardness
         for i in range(1, body.masses + 1):
             if state.inverse_mass[i] > 0.0:
-                depth = _depth_in(wall, q[i], q[slots + i])
+                depth = _depth_in(body, wall, i, q[i], q[slots + i])
                 speed, outwards = nx * v[i] + ny * v[slots + i], nx * a[i] + ny * a[slots + i]
                 shortest = min(shortest, time_to_deepest(hardness, depth, speed, outwards, h))
     return shortest
@@ -493,7 +496,7 @@ class WallsReference:
         for row in self._walls.rows:
             wall = WallRow(*row)
             normal = complex(wall.nx, wall.ny)
-            depth = ((complex(wall.x, wall.y) - x) * normal.conjugate()).real
+            depth = ((complex(wall.x, wall.y) - x) * normal.conjugate()).real + self._walls.size
             yield wall, np.maximum(depth, 0.0), normal
 
 
