@@ -81,8 +81,8 @@ class Ground(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
 
 class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """An infinite straight wall, floor or slope, which pushes back every mass that has entered it, a solid mass
-    as soon as its surface has.
+    """An infinite straight wall, floor or slope, which pushes back every mass that has entered it, a solid
+    mass as soon as its surface has.
 
     A mass m at the depth d is pushed out with m hardness d² (1 + c s), where s is the speed at which it
     enters, and c follows from the bounciness (Hunt & Crossley 1975). Under gravity g it therefore comes to
@@ -167,9 +167,9 @@ class Contact(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     Masses that are solid touch each other where their radii overlap, without friction, as points cannot roll;
     and they touch springs at their radius and `distance`. Without a distance they touch each other only.
 
-    A mass never touches springs attached to it, nor springs and solid masses of its own body (masses connected
-    by springs) that are nearer than 1.25 times the distance at which they would touch in the scene's initial
-    positions.
+    A mass never touches springs attached to it, nor springs and solid masses of its own body (masses
+    connected by springs) that are nearer than 1.25 times the distance at which they would touch in the
+    scene's initial positions.
 
     Attributes:
         distance: 0..1e6 px, at which contact with springs begins; 0 for none.

@@ -94,7 +94,12 @@ def test_neighbours_that_overlap_as_they_are_built_never_touch() -> None:
 def test_many_balls_keep_their_momentum_and_energy() -> None:
     rng = np.random.default_rng(3)
     masses = tuple(
-        Mass(position=(30.0 * i, 30.0 * j), velocity=tuple(rng.normal(0.0, 200.0, 2)), radius=12.0, solid=True)
+        Mass(
+            position=(30.0 * i, 30.0 * j),
+            velocity=(rng.normal(0.0, 200.0), rng.normal(0.0, 200.0)),
+            radius=12.0,
+            solid=True,
+        )
         for i in range(6)
         for j in range(5)
     )

@@ -1,4 +1,5 @@
-"""The list of the masses that may touch each spring and each solid mass, found with a uniform grid in a hash table.
+"""The list of the masses that may touch each spring and each solid mass, found with a uniform grid in a hash
+table.
 
 The list holds all pairs that are nearer than the distance of contact plus a margin. As long as no mass has
 moved by more than half of the margin, apart from what all move together, no other pair can touch (Verlet

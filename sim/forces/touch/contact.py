@@ -1,4 +1,5 @@
-"""Contact of masses with linear springs and of solid masses with each other: force, energy, balance, derivatives, and what it asks of a step.
+"""Contact of masses with linear springs and of solid masses with each other: force, energy, balance,
+derivatives, and what it asks of a step.
 
 Symbols, rows and the force of a pair are in `pairs`, how pairs are found in `broad_phase`.
 """
@@ -60,8 +61,8 @@ def _energy(body, state, q):
 
 @kernel(forceinline=True, fastmath=FUSED)
 def energy_on(body, q, s):
-    """The energy of the masses that touch what is touched as number s, kg px²/s²; the list of pairs must be up
-    to date."""
+    """The energy of the masses that touch what is touched as number s, kg px²/s²; the list of pairs must be
+    up to date."""
     contact, energy, slots = body.environment.contact, 0.0, q.size // 2
     first, behind = pairs_of(body, s)
     line = segment(q[:slots], q[slots:], contact.end_a[s], contact.end_b[s])

@@ -19,10 +19,10 @@ t where n is to the left of the spring, |e| times it on the other side, and r ti
 which n has turned about an end. A mass that slides on to the next spring of a body begins anew there: it is
 sliding anyway.
 
-A solid mass is a spring of length zero whose ends are both that mass, which only solid masses of a higher slot
-touch, without friction. The distance D of contact is the thickness of what is touched plus the size of the mass
-that touches it: the thickness of a spring is the distance in the scene, that of a solid mass its radius; the
-size of a mass is its radius if it is solid, else 0.
+A solid mass is a spring of length zero whose ends are both that mass, which only solid masses of a higher
+slot touch, without friction. The distance D of contact is the thickness of what is touched plus the size of
+the mass that touches it: the thickness of a spring is the distance in the scene, that of a solid mass its
+radius; the size of a mass is its radius if it is solid, else 0.
 
 A pair's forces are w_i F + c_i G with the weights w = (1, t - 1, -t) and c = (0, -1, 1) of the mass, a and b.
 """
@@ -59,7 +59,8 @@ TANGENTIAL_ROOM = 8
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Contacts(Table):
-    """S springs, G things that are touched, B buckets: first the springs, then the solid masses. The arrays from `number` on change while a body moves; the others are read-only.
+    """S springs, G things that are touched, B buckets: first the springs, then the solid masses. The arrays
+    from `number` on change while a body moves; the others are read-only.
 
     The pairs that may touch are listed spring by spring, with the masses of each in ascending order. So sums
     over them do not depend, even by rounding, on where the masses were when the list was made. The list is no
@@ -253,8 +254,8 @@ class Pair(NamedTuple):
 
 @kernel(forceinline=True, fastmath=FUSED)
 def pair_at(body, state, w, s, m, q, v, reach=0.0):
-    """(whether mass m is nearer to what is touched as number s than the distance of contact and `reach` px more,
-    the pair that they are, of no meaning where it is not).
+    """(whether mass m is nearer to what is touched as number s than the distance of contact and `reach` px
+    more, the pair that they are, of no meaning where it is not).
 
     Of the state, only tangential springs matter here. `w`: (slots,) inverse masses, 1/kg, which matter for
     explicit methods with a fixed step only.

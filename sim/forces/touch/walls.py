@@ -1,8 +1,9 @@
 """Walls: half planes, which push back the free masses that have entered them; see `push`.
 
-With the point p and the unit normal n of a wall, a mass m at x is inside at the depth d = (p - x) . n + r where
-that is positive; r is the radius of a solid mass, 0 of any other. It is pushed along n with m H d² (1 + c s), with the hardness H, 1/(px s²), and the speed s
-at which it enters, and slowed along the wall, t = (-n.y, n.x), by friction. A held mass is not pushed.
+With the point p and the unit normal n of a wall, a mass m at x is inside at the depth d = (p - x) . n + r
+where that is positive; r is the radius of a solid mass, 0 of any other. It is pushed along n with
+m H d² (1 + c s), with the hardness H, 1/(px s²), and the speed s at which it enters, and slowed along the
+wall, t = (-n.y, n.x), by friction. A held mass is not pushed.
 """
 
 from __future__ import annotations
@@ -297,7 +298,8 @@ def mark_stiff_friction(body, inverse_mass, q0, q1, h, quick):
         wall = _wall(body, k)
         rate = h * wall.friction * wall.hardness / wall.slip_speed
         for i in range(1, body.masses + 1):
-            depth = max(_depth_in(body, wall, i, q0[i], q0[slots + i]), _depth_in(body, wall, i, q1[i], q1[slots + i]))
+            before = _depth_in(body, wall, i, q0[i], q0[slots + i])
+            depth = max(before, _depth_in(body, wall, i, q1[i], q1[slots + i]))
             if depth > 0.0 and inverse_mass[i] > 0.0 and rate * depth * depth > _STIFF:
                 quick[k, i], found = 1.0, True
     return found
