@@ -17,7 +17,7 @@ from ..forces.plasticity import NO_LIMITS
 from ..forces.reference import Physics
 from ..forces.springs import SpringsReference
 from ..forces.touch.contact import no_tunnelling
-from ..forces.touch.walls import NOWHERE, WallRow
+from ..forces.touch.walls import NOWHERE, WallRow, place_along
 from ..model.sparsity import new_matrix
 from ..model.state import grips_of, new_scratch, start_of
 from ..model.system import build_system, damage_of, for_analysis
@@ -248,7 +248,7 @@ class StaticModel:
         for row, place in zip(self.tables.environment.walls.rows, state.wall_place, strict=False):
             wall = WallRow(*row)
             if wall.tangential:
-                along = q[self.slots :] * wall.nx - q[: self.slots] * wall.ny
+                along = place_along(row, q[: self.slots], q[self.slots :])
                 np.copyto(place, along, where=place >= NOWHERE)
 
     def grips(self, q: Floats) -> Grips | None:

@@ -13,7 +13,7 @@ from ..analysis.equilibrium import NEUTRAL, NEUTRAL_FREE, StaticModel
 from ..edit.build import wrapped_degrees
 from ..edit.edit import Selection, of_parts
 from ..errors import InputError, SceneError
-from ..forces.touch.walls import WallRow
+from ..forces.touch.walls import WallRow, place_along
 from ..motion.moment import Moment
 from ..scene.parts import AngularSpring
 from ..scene.types import Pose, Scene
@@ -222,7 +222,8 @@ def _hold_along_walls(body: StaticModel, at: Vectors, touch: Touch, forces: Floa
         weights = np.array([body.scene.masses[i].mass for i in masses])
         if masses.size:
             state.wall_stretch[row, slot[masses]] = -forces[here] / (weights * wall.tangential)
-            state.wall_place[row, slot[masses]] = at[masses].imag * wall.nx - at[masses].real * wall.ny
+            here = place_along(numbers, at[masses].real, at[masses].imag)
+            state.wall_place[row, slot[masses]] = here
 
 
 # ------------------------------------------------------------------------- limits of loads

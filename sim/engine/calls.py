@@ -29,7 +29,7 @@ INDIRECT_CALLS = {
     "event_fraction": _FLOAT(_PROBLEM, *[FLOATS] * 5, _FLOAT, _FLOAT),
     "kink_fraction": _FLOAT(_PROBLEM, *[FLOATS] * 4, _FLOAT, _FLOAT),
     "slip_fraction": types.float64(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT, _FLOAT),
-    "update_friction_history": types.void(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
+    "update_friction_history": types.boolean(_PROBLEM, FLOATS, FLOATS, FLOATS, FLOATS, _FLOAT),
     "commit_plasticity": types.boolean(_PROBLEM, *[FLOATS] * 4, _FLOAT),
 }
 """Signatures of the kernels that are called through their addresses, by name."""
@@ -117,6 +117,7 @@ def commit_plasticity(problem, old, new, h):
 @kernel(inline="always")
 def update_friction_history(problem, old, new, h):
     """Call `forces.touch.friction_history.update_friction_history` after a step, where there are tangential
-    springs."""
-    if problem.update_friction_history != 0:
-        _update_friction_history(problem.update_friction_history, problem, old.q, old.v, new.q, new.v, h)
+    springs; return whether a force has jumped."""
+    return problem.update_friction_history != 0 and _update_friction_history(
+        problem.update_friction_history, problem, old.q, old.v, new.q, new.v, h
+    )

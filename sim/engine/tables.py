@@ -150,6 +150,8 @@ class State(Table):
     wall_place: (
         Rows  # (W, slots) position of the mass along the wall, px; `forces.touch.walls.NOWHERE` without one
     )
+    wall_time: Floats  # (1,) when they were noted, s; empty where no wall with them runs
+    wall_slides: Rows  # (W, slots) 1 where it slides, else 0; empty where no wall has static friction
     # Those of contact, by the touched spring, then by the touching mass:
     contact_start: Indices  # (S + 1,) where those of each spring start; after the last one is unused space
     contact_mass: Indices  # slots of the masses

@@ -11,6 +11,7 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple, TypeVar
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -22,7 +23,7 @@ from ..forces.plasticity import without_broken
 from ..forces.touch.batch import room_for_batches
 from ..forces.touch.contact import places
 from ..forces.touch.friction_history import room_in_scratch, room_in_state
-from ..forces.touch.walls import NOWHERE
+from ..forces.touch.walls import NOWHERE, place_along
 from ..near import nearest_points
 from ..scene.types import Damage, Grips, Scene
 from .system import System
@@ -328,7 +329,11 @@ def grips_of(state: State, system: System) -> Grips | None:
         s = np.repeat(np.arange(system.body.springs), np.diff(state.contact_start))
         masses = system.mass_order[state.contact_mass[:count] - 1]
         springs = _rows(system.spring_order[s], masses, state.contact_stretch[:count, 0])
-    return Grips(walls=tuple(walls), springs=tuple(springs)) if walls or springs else None
+    if not (walls or springs):
+        return None
+    wall, slot = np.nonzero(state.wall_slides)
+    sliding = list(zip(wall.tolist(), system.mass_order[slot - 1].tolist(), strict=True))
+    return Grips(walls=tuple(walls), springs=tuple(springs), sliding=tuple(sliding) or msgspec.UNSET)
 
 
 def _rows(*columns: np.ndarray) -> list[tuple[int, int, float]]:
@@ -346,6 +351,8 @@ def put_grips(state: State, system: System, grips: Grips | None) -> None:
     if not system.body.environment.sticks:
         return
     state.wall_stretch[:], state.wall_place[:], state.contact_start[:] = 0.0, NOWHERE, 0
+    state.wall_slides[:] = 0.0
+    state.wall_time[:] = state.clock
     if grips is not None:
         _put_on_walls(state, system, grips)
         _put_in_contact(state, system, grips)
@@ -356,9 +363,11 @@ def _put_on_walls(state: State, system: System, grips: Grips) -> None:
     for k, mass, stretch in grips.walls:
         if k < len(state.wall_place) and mass < index.size:
             slot = index[mass]
-            _, _, nx, ny, *_ = rows[k]
             state.wall_stretch[k, slot] = stretch
-            state.wall_place[k, slot] = state.y[slot] * nx - state.x[slot] * ny
+            state.wall_place[k, slot] = place_along(rows[k], state.x[slot], state.y[slot])
+    for k, mass in grips.sliding or ():
+        if k < len(state.wall_slides) and mass < index.size:
+            state.wall_slides[k, index[mass]] = 1.0
 
 
 def _put_in_contact(state: State, system: System, grips: Grips) -> None:

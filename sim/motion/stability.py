@@ -64,7 +64,8 @@ CAUSES = tuple(dict.fromkeys(cause for causes in _CAUSES for cause in causes))
 
 _COPIED = (
     "q", "v", "controls", "clock", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
-    "wall_stretch", "wall_place", "contact_start", "contact_mass", "contact_stretch",
+    "wall_stretch", "wall_place", "wall_time", "wall_slides", "contact_start", "contact_mass",
+    "contact_stretch",
 )  # fmt: skip
 """What a look takes over from the state; the rest follows from it."""
 _FIRST_SIZE = 40

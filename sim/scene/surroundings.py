@@ -90,7 +90,9 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     tanh(s / slip_speed) at the speed s. It therefore creeps even on a slope on which it should stick: the
     smaller the slip speed, the slower. With a tangential hardness it does not creep: a spring of stiffness m
     tangential_hardness holds it where it touched the wall, and it slides as soon as the spring pulls with
-    more than friction N (Cundall & Strack 1979).
+    more than friction N (Cundall & Strack 1979), or than static_friction N if there is that: then it slides
+    until it turns round. With a speed, the wall is a belt: friction acts against the velocity relative to its
+    surface.
 
     Attributes:
         point: any point of the wall's surface.
@@ -106,6 +108,10 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         slip_speed: 1e-3..1e6 px/s.
         tangential_hardness: 0..1e9 1/s², the acceleration along the wall at a stretch of 1 px; 0 for creeping
             friction. The stiffness of the wall for a mass at rest under gravity g is 2 sqrt(g hardness).
+        static_friction: 0..100, coefficient of friction of a mass that does not slide; one below `friction`
+            counts as that. It needs a tangential hardness. Omitted in files if it is that of sliding.
+        speed: within ±1e9 px/s, of the surface, positive along (-normal.y, normal.x): to the right on a floor
+            where y is down. Omitted in files if the wall is at rest.
     """
 
     point: Vector
@@ -116,6 +122,10 @@ class Wall(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     slip_speed: Annotated[float, bounded(1e-3, 1e6, "px/s", "Speed of full friction")] = 10.0
     restitution: Restitution = "viscous"
     tangential_hardness: Annotated[float, bounded(0.0, 1e9, "1/s²", "Tangential hardness of a wall")] = 0.0
+    static_friction: (
+        Annotated[float, bounded(0.0, 100.0, "", "Coefficient of static friction")] | msgspec.UnsetType
+    ) = msgspec.UNSET
+    speed: Speed | msgspec.UnsetType = msgspec.UNSET
 
 
 class Gas(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, tag_field="kind", tag="gas"):

@@ -125,10 +125,13 @@ class Grips(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     Attributes:
         walls: for each, the wall, the mass, and the stretch along the wall, px.
         springs: for each, the linear spring, the touching mass, and the stretch, px.
+        sliding: the wall and the mass of each on a wall with static friction that slides; omitted in files if
+            there are none.
     """
 
     walls: tuple[tuple[Index, Index, Coordinate], ...] = ()
     springs: tuple[tuple[Index, Index, Coordinate], ...] = ()
+    sliding: tuple[tuple[Index, Index], ...] | msgspec.UnsetType = msgspec.UNSET
 
 
 class Pose(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -138,6 +138,8 @@ def _problems(scene: Scene) -> Iterator[str]:
     for w, wall in enumerate(scene.walls):
         if not any(wall.normal):
             yield f"walls[{w}].normal: a normal of (0, 0) points nowhere"
+        if wall.static_friction is not msgspec.UNSET and not wall.tangential_hardness:
+            yield f"walls[{w}].static_friction: it needs a tangential_hardness, by which friction holds"
     yield from _anchor_problems(scene, n)
     xmin, ymin, xmax, ymax = scene.view.frame
     if not (xmax - xmin > 1e-3 and ymax - ymin > 1e-3):
@@ -350,6 +352,9 @@ def _pose_problems(scene: Scene, pose: Pose | None) -> Iterator[str]:
                     yield f"pose.grips.{field}[{i}]: {what} {index} does not exist ({_span(of)})"
                 if mass >= n:
                     yield f"pose.grips.{field}[{i}]: mass {mass} does not exist ({_span(n)})"
+        for i, (wall, mass) in enumerate(pose.grips.sliding or ()):
+            if wall >= len(scene.walls) or mass >= n:
+                yield f"pose.grips.sliding[{i}]: wall {wall} or mass {mass} does not exist"
 
 
 def _span(count: int) -> str:

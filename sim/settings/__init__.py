@@ -334,6 +334,11 @@ def _has_walls(scene: Scene) -> bool:
     return moves(scene) and bool(scene.walls)
 
 
+def _has_on_walls(field: str) -> Callable[[Scene], bool]:
+    """Return whether any wall has an optional field."""
+    return lambda scene: any(getattr(wall, field) is not msgspec.UNSET for wall in scene.walls)
+
+
 def _has_medium(scene: Scene) -> bool:
     return _has_springs(scene) and bool(scene.medium)
 
@@ -450,6 +455,14 @@ _ALL = (
     _setting("ground_sideways", "Friction sideways", (0.0, 2.0), at(Ground, "ground.sideways"), _has_ground),
     _setting(
         "wall_friction", "Friction of walls", (0.0, 2.0), largest(Wall, "walls", "friction"), _has_walls
+    ),
+    _setting(
+        "static_friction", "Static friction of walls", (0.0, 2.0), largest(Wall, "walls", "static_friction"),
+        _has_on_walls("static_friction"),
+    ),
+    _setting(
+        "belt_speed", "Speed of belts", (-1000.0, 1000.0), largest(Wall, "walls", "speed"),
+        _has_on_walls("speed"),
     ),
     _setting(
         "bounciness", "Bounciness of walls", (0.0, 1.0), largest(Wall, "walls", "bounciness"), _has_walls,

@@ -59,7 +59,8 @@ def at(kind: type, path: str) -> Access:
 
 
 def largest(kind: type, parts: str, field: str) -> Access:
-    """Return access to the largest value of a number among parts; the others keep their ratio to it.
+    """Return access to the value of the largest magnitude of a number among parts; the others keep their
+    ratio to it, and parts without the number have none.
 
     Args:
         kind: type of the parts; the field may also have others.
@@ -73,11 +74,13 @@ def largest(kind: type, parts: str, field: str) -> Access:
         if are_springs:
             found = column(every, field)
         else:
-            found = np.array([getattr(part, field) for part in every if isinstance(part, kind)], float)
+            numbers = [getattr(part, field) for part in every if isinstance(part, kind)]
+            found = np.array([x for x in numbers if x is not msgspec.UNSET], float)
         return found[~np.isnan(found)]
 
     def read(scene: Scene) -> float:
-        return float(values(scene).max(initial=0.0))
+        found = values(scene)
+        return float(found[np.abs(found).argmax()]) if found.size else 0.0
 
     def write(scene: Scene, value: float) -> Scene:
         """Scale all to the new largest value; if all were zero, set all to it."""
@@ -87,7 +90,7 @@ def largest(kind: type, parts: str, field: str) -> Access:
 
         def changed(part: Any) -> Any:
             number = getattr(part, field) if isinstance(part, kind) else None
-            if number is None:
+            if number is None or number is msgspec.UNSET:
                 return part
             return msgspec.structs.replace(part, **{field: value * (number / old) if old else value})
 

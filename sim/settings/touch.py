@@ -47,7 +47,9 @@ def with_grip(scene: Scene, grips: bool) -> Scene:
     weight = gravity * float(np.median(column(scene.masses, "mass")))
 
     def of_wall(wall: Wall) -> Wall:
-        return replace(wall, tangential_hardness=2.0 * math.sqrt(wall.hardness * gravity))
+        static = wall.static_friction if grips else msgspec.UNSET
+        hardness = 2.0 * math.sqrt(wall.hardness * gravity)
+        return replace(wall, tangential_hardness=hardness, static_friction=static)
 
     def of_contact(contact: Contact) -> Contact:
         return replace(contact, tangential_stiffness=2.0 * math.sqrt(contact.stiffness * weight))

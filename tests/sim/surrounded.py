@@ -39,6 +39,20 @@ KINDS: dict[str, dict[str, Any]] = {
             ),
         )
     },
+    "belts": {
+        "walls": (
+            Wall(point=(0.0, 10.0), normal=(0.2, -1.0), hardness=50.0, friction=0.6, speed=150.0),
+            Wall(
+                point=(60.0, 0.0),
+                normal=(-3.0, 1.0),
+                hardness=200.0,
+                friction=0.5,
+                static_friction=0.8,
+                tangential_hardness=900.0,
+                speed=-40.0,
+            ),
+        )
+    },
     "steady wind": {"wind": Wind(velocity=(300.0, -80.0))},
     "gusts": {"wind": Wind(velocity=(300.0, -80.0), turbulence=0.5, length_scale=150.0, seed=3)},
     "gas": {"fillings": (Gas(masses=(0, 2, 4, 5, 3, 1), pressure=90.0, outside=20.0),)},
@@ -134,8 +148,8 @@ def force_around(scene: Scene) -> tuple[Floats, Floats]:
 
 
 OF_SURROUNDINGS = {
-    "wind_speed", "wind_direction", "turbulence", "wall_friction", "bounciness", "gas_pressure",
-    "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
+    "wind_speed", "wind_direction", "turbulence", "wall_friction", "static_friction",
+    "belt_speed", "bounciness", "gas_pressure", "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
     "drag_across", "drag_along", "ground_forward", "ground_backward", "ground_sideways",
 }  # fmt: skip
 OF_STRENGTH = {"strength", "yield_force"}
@@ -154,7 +168,15 @@ def with_everything() -> Scene:
         ground=Ground(),
         walls=(
             Wall(point=(0.0, 900.0), normal=(0.0, -1.0), friction=0.4, bounciness=0.6),
-            Wall(point=(-500.0, 0.0), normal=(1.0, 0.0), friction=0.2, bounciness=0.3),
+            Wall(
+                point=(-500.0, 0.0),
+                normal=(1.0, 0.0),
+                friction=0.2,
+                bounciness=0.3,
+                tangential_hardness=900.0,
+                static_friction=0.3,
+                speed=-40.0,
+            ),
         ),
         contact=Contact(distance=5.0, friction=0.3),
         fillings=(

@@ -429,7 +429,7 @@ def test_what_surrounds_a_body_and_what_breaks_has_settings_only_where_it_is() -
         "wind": {"wind_speed", "wind_direction", "turbulence"},
         "medium": {"drag_across", "drag_along"},
         "ground": {"ground_forward", "ground_backward", "ground_sideways"},
-        "walls": {"wall_friction", "bounciness"},
+        "walls": {"wall_friction", "static_friction", "belt_speed", "bounciness"},
         "contact": {"contact_distance", "contact_stiffness", "contact_friction"},
     }
     assert keys_of(whole) - keys_of(replace(whole, fillings=whole.fillings[:2])) == {"liquid_stiffness"}

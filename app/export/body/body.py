@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 import sim
 from sim.errors import InputError
 from sim.forces.plasticity import leaking
+from sim.forces.touch.walls import WallRow
 from sim.model.stable_spring import clamp_stiffness
 from sim.model.system import System, build_system, joint_stiffness
 from sim.motion.driving import offset, velocity
@@ -145,7 +146,7 @@ class Body:
             joint_damping=np.where(unbent, [j.damping for j in joints], 0.0),
             rest_angle=180.0 - (180.0 - rest_angle) % 360.0,
             broken=broken,
-            walls=np.array(environment.walls.rows),
+            walls=np.array(environment.walls.rows)[:, : WallRow._fields.index("belt")],
             wind=(float(air.wind_x), float(air.wind_y)),
             gusts=bool(air.waves.size),
             loops=_loops(system, ends, np.flatnonzero(broken)),

@@ -341,7 +341,13 @@ def unknown_forces(scene: Scene) -> list[str]:
     """Names of the forces on a scene's body that are not known outside softrod."""
     acting = (term for term in TERMS if term.acts(scene))
     names = [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
-    return [*names, *(["solid masses"] if is_set_in_any(scene.masses, "solid") else [])]
+    solid = is_set_in_any(scene.masses, "solid")
+    new = {
+        "solid masses": solid,
+        "belts": any(wall.speed for wall in scene.walls),
+        "static friction of its own": any(wall.static_friction for wall in scene.walls),
+    }
+    return [*names, *(name for name, is_there in new.items() if is_there)]
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:

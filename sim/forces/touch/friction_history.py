@@ -22,8 +22,8 @@ from .walls import NOWHERE, energy_along_walls, slip_fraction_on_walls, stick_to
 
 
 @kernel(internal=True, fastmath=FAST)
-def _energy_along(body, state, q):
-    return energy_along_walls(body, state, q) + energy_along_springs(body, state, q)
+def _energy_along(body, state, q, kept):
+    return energy_along_walls(body, state, q, kept) + energy_along_springs(body, state, q)
 
 
 @kernel(fastmath=FAST)
@@ -44,13 +44,17 @@ def update_friction_history(problem, q0, v0, q1, v1, h):
 
     With h = 0, as under a fixed step, what was between is not looked at. What friction takes is entered into
     the balance by its power. The part that springs keep is not lost.
+
+    Returns:
+        Whether any force has jumped.
     """
     body, state, balance = problem.body, problem.state, problem.balance
-    before = _energy_along(body, state, q0) if balance.active else 0.0
-    stick_to_walls(body, state, q0, v0, q1, v1, h)
+    before = _energy_along(body, state, q0, True) if balance.active else 0.0
+    jumped = stick_to_walls(body, state, q0, v0, q1, v1, h)
     stick_to_springs(body, state, problem.scratch, q0, v0, q1, v1, h)
     if balance.active:
-        balance.work.walls += _energy_along(body, state, q1) - before
+        balance.work.walls += _energy_along(body, state, q1, True) - before
+    return jumped
 
 
 def room_in_state(body: Body, slots: int) -> dict[str, NDArray[Any]]:
@@ -59,6 +63,10 @@ def room_in_state(body: Body, slots: int) -> dict[str, NDArray[Any]]:
     if walls.tangential:
         shape = len(walls.rows), slots
         found |= {"wall_stretch": np.zeros(shape), "wall_place": np.full(shape, NOWHERE)}
+        if walls.runs:
+            found["wall_time"] = np.zeros(1)
+        if walls.static:
+            found["wall_slides"] = np.zeros(shape)
     if body.environment.contact.tangential > 0.0:
         masses, stretches = _room(body)
         start = np.zeros(body.springs + 1, np.int64)

@@ -108,6 +108,8 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             accelerate(problem, old.q, old.v, old.a)
         error = step(problem, drive, old, new, t, h, tolerance)
         h = trial.h
+        if drive.timed:  # methods do not have their last stage at the end of a step
+            state.clock[0] = trial.end
         if drive.mass.size > 0:
             lead_to(drive, trial.end, new.q, new.v)
             trial.max_position = math.inf
@@ -135,7 +137,9 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             if drive.moving:
                 apply_controls(body, state, drive, trial.end, scale, shift)
         length = h if fixed == 0.0 else 0.0
-        update_friction_history(problem, old, new, length)
+        if update_friction_history(problem, old, new, length):
+            accelerate(problem, new.q, new.v, new.a)
+            run.since = -trial.count
         broke = commit_plasticity(problem, old, new, length)
         if balance.active:
             replace_state(old.q, old.v, old.a, new.q, new.v, new.a)
