@@ -32,6 +32,7 @@ from ..stage.looks import (
     STREAKS,
     STROKE,
 )
+from ..stage.plan import belts
 from ..stage.sketch import Floats, Sketch
 from .window import Window
 
@@ -43,23 +44,34 @@ class Wall(NamedTuple):
         at, normal: (2,) a point of the surface, and the direction to the free side.
         corners: (k, 2) of the part in view.
         surface: (2, 2) ends of the surface in view, or (0, 2).
+        belt: px/s, see `app.stage.plan.belts`.
     """
 
     at: Floats
     normal: Floats
     corners: Floats
     surface: Floats
+    belt: float = 0.0
 
 
 def walls(sketch: Sketch, window: Window) -> list[Wall]:
     """The scene's walls, each with the part of its surface that no other covers."""
     if sketch.environment is None:
         return []
-    found = [_in_view(row, sketch, window) for row in sketch.environment.walls.rows[:, :4]]
+    rows = sketch.environment.walls.rows
+    found = [_in_view(row, sketch, window) for row in rows[:, :4]]
+    for k, speed in enumerate(belts(sketch, rows).tolist()):
+        found[k] = found[k]._replace(belt=speed)
     return [
         wall._replace(surface=_uncovered(wall, [other for other in found if other is not wall]))
         for wall in found
     ]
+
+
+def rails(sketch: Sketch, window: Window) -> list[Floats]:
+    """(2, 2) the ends of each rail in view."""
+    found = [_in_view(row, sketch, window).surface for row in sketch.rails]
+    return [ends for ends in found if len(ends)]
 
 
 def _in_view(row: Floats, sketch: Sketch, window: Window) -> Wall:
@@ -96,7 +108,8 @@ def _uncovered(wall: Wall, others: list[Wall]) -> Floats:
 
 
 def hatching(wall: Wall, sketch: Sketch, window: Window) -> Floats:
-    """(k, 2, 2) strokes along a wall's surface, which stay where they are in the scene."""
+    """(k, 2, 2) strokes along a wall's surface, which stay where they are in the scene; on a belt, pairs that
+    point where it runs."""
     if len(wall.surface) < 2:
         return np.zeros((0, 2, 2))
     along = np.array((-wall.normal[1], wall.normal[0]))
@@ -105,7 +118,12 @@ def hatching(wall: Wall, sketch: Sketch, window: Window) -> Floats:
     gap = 2.0 ** round(math.log2(HATCH * window.unit / scale)) * scale
     k = np.arange(math.ceil(low / gap), math.floor(high / gap) + 1)
     begin = wall.at + (k * gap)[:, None] * along
-    return np.stack((begin, begin - STROKE * window.unit * (wall.normal + along)), axis=1)
+    size = STROKE * window.unit
+    if not wall.belt:
+        return np.stack((begin, begin - size * (wall.normal + along)), axis=1)
+    tip, back = begin - size * wall.normal, math.copysign(0.5 * size, wall.belt) * along
+    strokes = (tip - back + side * 0.5 * size * wall.normal for side in (1.0, -1.0))
+    return np.concatenate([np.stack((tip, end), axis=1) for end in strokes])
 
 
 def fillings(

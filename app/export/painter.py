@@ -138,6 +138,7 @@ class Painter:
         strokes = [stroke for wall in walls for stroke in around.hatching(wall, sketch, window)]
         self._lay(pen, "hatch", strokes)
         self._lay(pen, "surface", [wall.surface for wall in walls if len(wall.surface)])
+        self._lay(pen, "rail", around.rails(sketch, window))
         return pen
 
 

@@ -30,17 +30,18 @@ const placeOf = (places, mass) => ({ x: places[2 * mass], y: places[2 * mass + 1
 const text = ({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`;
 
 /**
- * The visible part of a wall.
+ * The visible part of a wall, or of a rail.
  *
  * @param {Plan} plan
+ * @param {Float32Array} rows of walls, or of rails
  * @param {number} index of the wall
  * @param {Screen} on
  * @param {Box} view
  * @returns {{at: Point, normal: Point, corners: Point[], surface: Point[]}} its point and normal, the
  *   corners of the part in view, and the ends of the surface in view: two, or none
  */
-export function wallInView(plan, index, on, view) {
-  const [px, py, nx, ny] = plan.walls.subarray(4 * index, 4 * index + 4);
+export function wallInView(plan, rows, index, on, view) {
+  const [px, py, nx, ny] = rows.subarray(4 * index, 4 * index + 4);
   const at = onScreen(plan, on, px, py);
   const normal = { x: nx, y: -ny * plan.flip };
   const box = cornersOf(view);
@@ -127,12 +128,13 @@ export function gridLines(plan, size, on, view) {
 export const outline = (corners) => corners.length ? `M${corners.map(text).join("L")}Z` : "";
 
 /**
- * The strokes along a wall's surface, which are fixed in the scene.
+ * The strokes along a wall's surface, which are fixed in the scene; on a belt, heads of arrows that point where it runs.
  *
  * @param {{at: Point, normal: Point, surface: Point[]}} wall
  * @param {number} scale pixels of a px
+ * @param {number} [belt] its speed
  */
-export function hatching({ at, normal, surface }, scale) {
+export function hatching({ at, normal, surface }, scale, belt = 0) {
   if (surface.length < 2) return "";
   const along = { x: -normal.y, y: normal.x };
   const [one, two] = surface.map(({ x, y }) => (x - at.x) * along.x + (y - at.y) * along.y);
@@ -140,8 +142,10 @@ export function hatching({ at, normal, surface }, scale) {
   let strokes = "";
   for (let k = Math.ceil(Math.min(one, two) / gap); k * gap <= Math.max(one, two); k++) {
     const from = { x: at.x + k * gap * along.x, y: at.y + k * gap * along.y };
-    const to = { x: from.x - STROKE * (normal.x + along.x), y: from.y - STROKE * (normal.y + along.y) };
-    strokes += `M${text(from)}L${text(to)}`;
+    /** A place so many strokes into the wall and along it. @param {number} depth @param {number} way */
+    const place = (depth, way) => ({ x: from.x - STROKE * (depth * normal.x + way * along.x), y: from.y - STROKE * (depth * normal.y + way * along.y) });
+    const back = 0.5 * Math.sign(belt);
+    strokes += (belt ? [place(0.5, back), place(1, 0), place(1.5, back)] : [from, place(1, 1)]).map((point, i) => `${i ? "L" : "M"}${text(point)}`).join("");
   }
   return strokes;
 }
@@ -190,14 +194,15 @@ export function loops({ fillings, springs }, places, gas, broken) {
  * @param {number} size of the scene's frame, px: the larger of its sides
  */
 export function standing({ plan, on, box }, size) {
-  const found = { wall: "", hatch: "", surface: "", ...gridLines(plan, size, on, box), ...resisting(plan, on, box) };
-  const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, i, on, box));
-  for (const wall of walls) {
+  const found = { wall: "", hatch: "", surface: "", rail: "", ...gridLines(plan, size, on, box), ...resisting(plan, on, box) };
+  const walls = Array.from({ length: plan.walls.length / 4 }, (_, i) => wallInView(plan, plan.walls, i, on, box));
+  walls.forEach((wall, i) => {
     found.wall += outline(wall.corners);
     const surface = uncovered(wall, walls.filter((other) => other !== wall));
-    found.hatch += hatching({ ...wall, surface }, plan.scale * on.step);
+    found.hatch += hatching({ ...wall, surface }, plan.scale * on.step, plan.belts[i]);
     found.surface += outline(surface);
-  }
+  });
+  for (let i = 0; i < plan.rails.length / 4; i++) found.rail += outline(wallInView(plan, plan.rails, i, on, box).surface);
   return found;
 }
 

@@ -11,6 +11,7 @@ export const LAYERS = {
   "wall": {"color": "text", "opacity": 0.1, "width": 0.0, "round": false},
   "hatch": {"color": "text", "opacity": 0.55, "width": 1.2, "round": false},
   "surface": {"color": "text", "opacity": 1.0, "width": 2.0, "round": false},
+  "rail": {"color": "text", "opacity": 0.3, "width": 5.0, "round": true},
   "skin": {"color": "text", "opacity": 0.13, "width": null, "round": true},
   "gas": {"color": "brand", "opacity": 0.12, "width": 0.0, "round": false},
   "liquid": {"color": "liquid", "opacity": 0.35, "width": 0.0, "round": false},

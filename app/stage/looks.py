@@ -154,6 +154,7 @@ LAYERS = {
     "wall": Layer("text", 0.1),
     "hatch": Layer("text", 0.55, width=1.2),
     "surface": Layer("text", width=2.0),
+    "rail": Layer("text", 0.3, width=5.0, round=True),
     "skin": Layer("text", 0.13, width=None, round=True),
     "gas": Layer("brand", 0.12),
     "liquid": Layer("liquid", 0.35),

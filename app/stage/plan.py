@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sim import Moment, Scene, Simulation
 from sim.forces.fillings import FillingRow
+from sim.forces.touch.walls import WallRow
 from sim.scene.columns import column
 from sim.scene.surroundings import STILL_AIR
 from sim.scene.types import Damage
@@ -141,6 +142,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         turn_colors=turn_colors(sketch),
         ink_colors=sketch.ink_colors(),
         **surroundings,
+        rails=sketch.rails,
         ropes=sketch.ropes,
         buffers=sketch.buffers,
         loads=sketch.loads,
@@ -203,10 +205,18 @@ def _surroundings(sketch: Sketch, environment: Any) -> dict[str, ArrayLike]:
     blows = math.hypot(air.wind_x, air.wind_y) >= STILL_AIR
     return {
         "walls": environment.walls.rows[:, :4],  # points and normals
+        "belts": belts(sketch, environment.walls.rows),
         "fillings": loops,
         "wind": (air.wind_x, air.wind_y, *air.waves[:, :-1].ravel()) if blows else (),
         "contact_of": [sketch.contact] if sketch.contact else (),
     }
+
+
+def belts(sketch: Sketch, walls: Floats) -> Floats:
+    """(W,) the speed of each wall's surface as it is seen, px/s, or (0,) if none runs; along the normal
+    turned by a quarter from right to down."""
+    speeds = -sketch.mapping.flip * walls[:, WallRow._fields.index("belt")]
+    return speeds if speeds.any() else np.zeros(0)
 
 
 def strain_colors(sketch: Sketch) -> NDArray[np.uint8]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from sim import Scene
 from sim.forces.environment import is_surrounded, new_environment
+from sim.forces.rails import has_rails
 from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_loaded
 
@@ -117,6 +118,7 @@ class Sketch:
         muscles: (k, 6) for each muscle: 1 for a joint, 0 for a spring; index of that; amplitude (degrees for
             a joint); phase (degrees); 1 for a pulse, 0 for a sine; waves in a beat.
         beat: frequency (Hz) and phase (degrees) of the beat.
+        rails: (k, 4) for each mass on a rail: where it starts, px, and a unit vector across the rail.
         ropes, buffers: indices of the springs that only pull, and only push.
         loads: (k, 3) for each constant force: index of the mass, and the arrow in the world.
     """
@@ -163,6 +165,7 @@ class Sketch:
             np.array([s for s, spring in enumerate(scene.linear_springs) if spring.only == side], np.int64)
             for side in ("pull", "push")
         )
+        self.rails = _rails(scene)
         self.muscles = _muscles(scene)
         self.beat = (scene.beat.frequency, scene.beat.phase) if scene.beat else (0.0, 0.0)
         self.thickness = self._spring_thickness()
@@ -208,6 +211,19 @@ class Sketch:
     def pinned(self) -> NDArray[np.int64]:
         """Held masses that are not driven."""
         return self.held[self.held != self.driven] if self.driven is not None else self.held
+
+
+def _rails(scene: Scene) -> Floats:
+    """See `Sketch`."""
+    if not has_rails(scene):
+        return np.zeros((0, 4))
+    starts = scene.pose.positions if scene.pose else [mass.position for mass in scene.masses]
+    rows = []
+    for (x, y), mass in zip(starts, scene.masses, strict=True):
+        if mass.rail:
+            along = np.array(mass.rail) / np.hypot(*mass.rail)
+            rows.append((x, y, -along[1], along[0]))
+    return np.array(rows)
 
 
 def _muscles(scene: Scene) -> Floats:

@@ -107,6 +107,8 @@ class Plan(Numbers, frozen=True, kw_only=True):
         Section("turn_colors", "a table, from the full negative deviation to the full positive one"),
         Section("ink_colors", "of pins, ring, ghost and the mark of springs that have yielded"),
         Section("walls", "of each a point of the surface, px, and the unit vector to the free side"),
+        Section("belts", "of each wall px/s to the right of its normal on the screen; nothing if none runs"),
+        Section("rails", "of each a point, px, and a unit vector across it"),
         Section("fillings", "of each whether it is a gas, how many masses its loop has, and which"),
         Section(
             "wind", "velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing"

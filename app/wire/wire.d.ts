@@ -343,6 +343,8 @@ export type Layouts = {
     /** a table, from the full negative deviation to the full positive one */ turnColors: Float32Array;
     /** of pins, ring, ghost and the mark of springs that have yielded */ inkColors: Float32Array;
     /** of each a point of the surface, px, and the unit vector to the free side */ walls: Float32Array;
+    /** of each wall px/s to the right of its normal on the screen; nothing if none runs */ belts: Float32Array;
+    /** of each a point, px, and a unit vector across it */ rails: Float32Array;
     /** of each whether it is a gas, how many masses its loop has, and which */ fillings: Float32Array;
     /** velocity, px/s; of each wave of its gusts wave vector, amplitude and phase; or nothing */ wind: Float32Array;
     /** px, the distance at which contact begins; 0 where there is none */ contact: number;

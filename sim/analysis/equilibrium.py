@@ -198,6 +198,7 @@ class StaticModel:
         np.add.at(net, part, force)
         np.add.at(size, part, np.abs(force))
         net[part[1:][self.system.held]] = 0.0
+        net[part[self.tables.environment.rails.slot]] = 0.0
         falling = np.flatnonzero(np.isin(part, np.flatnonzero(np.abs(net) > _OVER * size)))
         if falling.size:
             first = falling[np.argmin(self.system.mass_order[falling - 1])]

@@ -22,6 +22,7 @@ import numpy as np
 from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..forces.all import TERMS
+from ..forces.rails import ways_of
 from ..forces.reference import Physics
 from ..model.state import start_of
 from ..model.system import build_system, for_analysis
@@ -37,6 +38,8 @@ from .vibrations import MAX_MASSES, NOTHING, Vibrations
 MAX_TOUCHING = 200
 """Largest number of masses of a body with contact, whose equilibrium may take long to find."""
 # Unless noted, doubling or halving one of these numbers fails no test.
+_PARALLEL = 1e-9
+"""Sine of the angle between two rails up to which a body slides along both."""
 _TRIAL = 1e-4
 """Size of the trial displacement for finding the stiffness against a rigid motion, in spring lengths."""
 _STANDS = 0.2
@@ -306,6 +309,14 @@ class Modes:
             pivot = self.rest[pins[0]] if pins.size else middle
             arm = self.rest[members] - pivot
             turn = np.column_stack((-arm[:, 1], arm[:, 0]))
+            rails = [way for slot, way in ways_of(body.tables).items() if slot in self._here[members]]
+            if rails:
+                (x, y), turned = rails[0], max(abs(rails[0][0] * v - rails[0][1] * u) for u, v in rails)
+                if not pins.size and turned < _PARALLEL:
+                    along = np.tile((x, y), (len(members), 1)) / np.sqrt(weight.sum())
+                    if self._stiffness(body, members, [along])[0, 0] < NOTHING:
+                        movable.append((members, "slides", np.array([(x, y)])))
+                continue
             motions = [turn] if pins.size else [turn, np.tile((1.0, 0.0), (len(members), 1))]
             motions += [] if pins.size else [np.tile((0.0, 1.0), (len(members), 1))]
             basis = [m / np.sqrt((weight * m**2).sum()) for m in motions if (weight * m**2).sum() > 0.0]

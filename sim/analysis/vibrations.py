@@ -6,14 +6,17 @@ import contextlib
 import math
 import warnings
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from ..engine.tables import Floats
+from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..scene.types import Scene
 from .equilibrium import StaticModel
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_array
 
 MAX_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
@@ -65,7 +68,8 @@ def vibrations(scene: Scene, count: int) -> Vibrations:
 
     Args:
         scene: a valid scene of at most 1000 masses.
-        count: number of vibrations, from 1 to twice the number of free masses.
+        count: number of vibrations, from 1 to twice the number of free masses, those on rails
+            counted once.
 
     Raises:
         SceneError: the scene is not valid.
@@ -103,7 +107,7 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
     body = _checked(scene, count)
     with contextlib.suppress(InputError):
         return _vibrations(body, count)
-    most = 2 * int(np.count_nonzero(body.state.inverse_mass))
+    most = _freedoms(body)[1].size
     for wanted in (count, most):
         softness, shapes = _motions(body, _SHIFT, wanted)
         square = 1.0 / softness - _SHIFT
@@ -115,7 +119,7 @@ def free_vibrations(scene: Scene, count: int) -> Vibrations:
 
 def _checked(scene: Scene, count: int) -> StaticModel:
     body = StaticModel(scene, balanced=False)
-    freedoms = 2 * int(np.count_nonzero(body.state.inverse_mass))
+    freedoms = _freedoms(body)[1].size
     if not 1 <= count <= freedoms:
         raise InputError(f"vibrations: {count} is not in the range 1..{freedoms}")
     if body.tables.masses > MAX_MASSES:
@@ -135,35 +139,46 @@ def _motions(body: StaticModel, shift: float, count: int) -> tuple[Floats, Float
     Raises:
         InputError: a squared angular frequency is less than minus the shift, or is not real.
     """
-    free = np.flatnonzero(body.state.inverse_mass)
-    columns = np.concatenate((free, body.slots + free))
+    ways, mass = _freedoms(body)
     stable = body.factorise(body.start, shift)
     if not stable:
         raise InputError(_NOT_HELD)
     # Scaling by the masses on both sides makes the matrix symmetric if the law has an energy.
-    root = np.sqrt(np.tile(body.state.inverse_mass[free], 2))
+    root = np.sqrt(body.state.inverse_mass[mass])
 
     def scaled_inverse(vector: Floats) -> Floats:
-        full = np.zeros(2 * body.slots)
-        full[columns] = root * vector.ravel()
-        return body.solve(full)[columns] / root
+        return (ways.T @ body.solve(ways @ (root * vector.ravel()))) / root
 
     # Each connected part has at most three unresisted motions, and usually there is one part.
     wanted = count + 3
-    few = columns.size >= _MANY and wanted * _FEW <= columns.size
+    few = mass.size >= _MANY and wanted * _FEW <= mass.size
     if few:
-        values, vectors = _slowest_few(scaled_inverse, columns.size, wanted)
+        values, vectors = _slowest_few(scaled_inverse, mass.size, wanted)
     else:
-        values, vectors = _eigen(np.array([scaled_inverse(unit) for unit in np.eye(columns.size)]).T)
+        values, vectors = _eigen(np.array([scaled_inverse(unit) for unit in np.eye(mass.size)]).T)
     if not (np.abs(np.imag(values)) <= 1e-6 * np.abs(values)).all():
         raise InputError(_NOT_HELD)
     values, vectors = np.real(values), np.real(vectors)
     if not values.min() > 0.0:
         raise InputError(_NOT_HELD)
     slowest = np.argsort(values)[::-1]
-    flat = np.zeros((values.size, 2 * body.slots))
-    flat[:, columns] = (root[:, None] * vectors[:, slowest]).T
-    return values[slowest], flat
+    return values[slowest], (ways @ (root[:, None] * vectors[:, slowest])).T
+
+
+def _freedoms(body: StaticModel) -> tuple[csr_array, Indices]:
+    """Return the independent ways in which free masses can move, (2 slots, f) flat unit vectors, and the (f,)
+    slot of the mass of each: two of a mass, or one on a rail."""
+    from scipy.sparse import coo_array
+
+    rails, free = body.tables.environment.rails, np.flatnonzero(body.state.inverse_mass)
+    loose = np.setdiff1d(free, rails.slot)
+    on = np.flatnonzero(np.isin(rails.slot, free))
+    mass = np.concatenate((loose, loose, rails.slot[on]))
+    two, one = np.arange(2 * loose.size), 2 * loose.size + np.arange(on.size)
+    row = np.concatenate((loose, body.slots + loose, rails.slot[on], body.slots + rails.slot[on]))
+    value = np.concatenate((np.ones(two.size), *rails.way[on].T))
+    shape = 2 * body.slots, mass.size
+    return coo_array((value, (row, np.concatenate((two, one, one)))), shape).tocsr(), mass
 
 
 def _eigen(matrix: Floats) -> tuple[np.ndarray, np.ndarray]:

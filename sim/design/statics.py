@@ -23,7 +23,7 @@ import itertools
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ from ..analysis.equilibrium import StaticModel
 from ..forces.all import SURROUNDINGS
 from ..forces.joints import IN_NUMPY, TUTORIAL, JointsReference
 from ..forces.one_sided import ONE_SIDED, SIDES
+from ..forces.rails import ways_of
 from ..forces.springs import SpringsReference
 from ..forces.touch.walls import WallRow, WallsReference
 from ..scene.columns import ends
@@ -149,7 +150,7 @@ class Statics:
             self.sides[k] = SIDES[part.only] if part.only else 0.0
         order = system.mass_order[body.matrix.order - 1]
         self._rows = order[self.free[order]]
-        self.load = self._known()[self._rows].view(np.float64).copy()
+        self.load = self._on_rails(self._known()[self._rows].view(np.float64).copy())
         pulls = np.array([mass.mass for mass in scene.masses])[self.free] * math.hypot(*scene.gravity)
         self.scale = max(float(np.abs(self.load).max(initial=0.0)), float(pulls.max(initial=0.0)))
 
@@ -220,7 +221,19 @@ class Statics:
         rows = np.concatenate((row, row + 1))
         columns, values = np.tile(column[here], 2), np.concatenate((value[here].real, value[here].imag))
         shape = self.load.size, self.stiffness.size
-        return coo_array((values, (rows, columns)), shape).tocsr()
+        return self._on_rails(coo_array((values, (rows, columns)), shape).tocsr())
+
+    def _on_rails(self, forces: Any) -> Any:
+        """Return forces, with rows as `load`, without what rails take: all that is across them."""
+        rails = ways_of(self._body.tables)
+        if not rails:
+            return forces
+        from scipy.sparse import block_diag
+
+        slots = self._body.system.mass_index[self._rows].tolist()
+        ways = [np.array(rails[slot]) if slot in rails else None for slot in slots]
+        blocks = [np.eye(2) if way is None else np.outer(way, way) for way in ways]
+        return block_diag(blocks, format="csr") @ forces
 
     def solve(self, stiffness: Floats, target: Floats | float = 0.0) -> Floats | None:
         """Return the unknowns in balance that are closest to a target, (m,), or None if there is no balance.

@@ -166,50 +166,87 @@ def set_number(
     return _with_values(scene, of, dict.fromkeys(parts, value), f"{of.label} set")
 
 
-WAYS: dict[Kind, dict[str, str]] = {
-    "masses": {"": "as points", "solid": "as balls"},
-    "linear_springs": {"": "both ways", "pull": "pulls only", "push": "pushes only"},
-    "angular_springs": {
-        "": "on both sides",
-        "above": "above its angle only",
-        "below": "below its angle only",
-    },
+@dataclass(frozen=True)
+class Way:
+    """How parts of a kind can be set to act.
+
+    Attributes:
+        kind: the kind of part.
+        verb: such as "touch".
+        field: of the part.
+        words: for people, by the name of each choice; "" for what parts do unless something is set.
+        values: of the field, by the name of each choice but "".
+    """
+
+    kind: Kind
+    verb: str
+    field: str
+    words: dict[str, str]
+    values: dict[str, Any]
+
+    def of_part(self, part: Any) -> str:
+        """Return the name of how a part acts; of a direction that has no name, the nearest one's."""
+        value = getattr(part, self.field)
+        if self.field == "rail" and value:
+            return max(self.values, key=lambda name: abs(np.dot(self.values[name], value)))
+        return next((name for name, each in self.values.items() if value == each), "")
+
+
+_ONLY = "act", "only"
+WAYS: dict[str, Way] = {
+    "touch": Way("masses", "touch", "solid", {"": "as points", "solid": "as balls"}, {"solid": True}),
+    "move": Way(
+        "masses",
+        "move",
+        "rail",
+        {"": "freely", "level": "to and fro on a rail", "upright": "up and down on a rail"},
+        {"level": (1.0, 0.0), "upright": (0.0, 1.0)},
+    ),
+    "springs": Way(
+        "linear_springs",
+        *_ONLY,
+        {"": "both ways", "pull": "pulls only", "push": "pushes only"},
+        {"pull": "pull", "push": "push"},
+    ),
+    "joints": Way(
+        "angular_springs",
+        *_ONLY,
+        {"": "on both sides", "above": "above its angle only", "below": "below its angle only"},
+        {"above": "above", "below": "below"},
+    ),
 }
-"""How parts can be set to act, with words for people: masses by `solid`, springs and joints by `only`."""
+"""How parts can be set to act."""
 
 
-def ways_of(scene: Scene, kind: Kind, parts: Collection[int]) -> set[str]:
-    """Return the different ways, keys of `WAYS`, in which some parts act."""
-    every = getattr(scene, kind)
-    if kind == "masses":
-        return {"solid" if every[i].solid else "" for i in parts}
-    return {every[i].only or "" for i in parts}
+def ways_of(scene: Scene, way: Way, parts: Collection[int]) -> set[str]:
+    """Return the names of the different ways in which some parts act."""
+    every = getattr(scene, way.kind)
+    return {way.of_part(every[i]) for i in parts}
 
 
-def set_way(scene: Scene, kind: Kind, parts: Collection[int], way: str) -> Edit:
-    """Let some masses touch as balls or as points, or some springs or joints act on one side or on both.
+def set_way(scene: Scene, way: Way, parts: Collection[int], name: str) -> Edit:
+    """Let some parts act in a way.
 
     Args:
         scene: the scene.
-        kind: the kind of parts.
-        parts: their indices.
-        way: a key of `WAYS`.
+        way: one of `WAYS`.
+        parts: indices of parts of its kind.
+        name: of the choice.
 
     Raises:
-        SettingError: they cannot act like that.
+        SettingError: there is no such choice.
         SceneError: a part does not exist.
     """
-    if way not in WAYS[kind]:
-        raise SettingError(f"{way!r} is not one of {', '.join(each for each in WAYS[kind] if each)}")
+    if name not in way.words:
+        raise SettingError(f"{name!r} is not one of {', '.join(way.values)}")
     scene = of_parts(scene)
-    every = getattr(scene, kind)
-    refuse_missing(parts, len(every), _WORDS[kind])
-    field, value = ("solid", True) if kind == "masses" else ("only", way)
-    new = [(i, msgspec.structs.replace(every[i], **{field: value if way else msgspec.UNSET})) for i in parts]
-    acts = "touch" if kind == "masses" else "act"
-    verb = acts if len(parts) > 1 else {"touch": "touches", "act": "acts"}[acts]
-    what = f"{counted(len(parts), _WORDS[kind])} {verb} {WAYS[kind][way]}"
-    return Edit(what, msgspec.structs.replace(scene, **{kind: changed(every, new)}))
+    every = getattr(scene, way.kind)
+    refuse_missing(parts, len(every), _WORDS[way.kind])
+    value = way.values.get(name, msgspec.UNSET)
+    new = [(i, msgspec.structs.replace(every[i], **{way.field: value})) for i in parts]
+    verb = way.verb if len(parts) > 1 else {"touch": "touches"}.get(way.verb, f"{way.verb}s")
+    what = f"{counted(len(parts), _WORDS[way.kind])} {verb} {way.words[name]}"
+    return Edit(what, msgspec.structs.replace(scene, **{way.kind: changed(every, new)}))
 
 
 def scale_number(

@@ -278,7 +278,7 @@ class PrescribedMotion(Table):
     start: float  # time at the start of the call, s
     duration: float  # time until masses guided straight reach their targets, s; infinite if there are none
     mass: Indices  # (M,) slots of the masses
-    rows: Rows  # (M, 12), a `LeadParameters` each
+    rows: Rows  # (M, 14), a `LeadParameters` each
     scale: float  # of rest lengths at the start
     shift: float  # of rest angles at the start, degrees
     growth: float  # rate of the logarithm of the scale of rest lengths, 1/s
@@ -300,6 +300,8 @@ class LeadParameters(NamedTuple):
     radius: float  # px, of its circle; 0 where there is none
     omega: float  # angular frequency, 1/s
     ramp: float  # time constant, s
+    along_x: float  # unit vector of the rail to which its circle is projected; (0, 0) where there is none
+    along_y: float
 
 
 class Progress(Record):

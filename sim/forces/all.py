@@ -20,6 +20,7 @@ from .chain import chain_accelerations, is_chain_like
 from .events import LARGEST_PART, UNSEEN
 from .fillings import FILLINGS
 from .one_sided import ONE_SIDED
+from .rails import RAILS, keep_on_rails
 from .resistance import RESISTANCE
 from .runs import JOINTS, SPRINGS, clear
 from .springs import accelerations_by
@@ -27,7 +28,7 @@ from .term import SIGNATURES, Term
 from .touch.contact import CONTACT
 from .touch.walls import WALLS
 
-TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT)
+TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT, RAILS)
 """The forces; each is added to those before it."""
 
 SURROUNDINGS = tuple(term for term in TERMS if term.field)
@@ -136,7 +137,7 @@ def add_derivatives(body, state, matrix, q, v, g, definite):
 @kernel(fastmath=FAST)
 def add_damping_product(body, state, q, v, z, factor, out):
     """out += factor Jv z, with the derivatives Jv of accelerations by velocities, 1/s, at positions q and
-    velocities v. See `Term.add_damping`."""
+    velocities v; `out` has no part across rails. See `Term.add_damping`."""
     around = body.environment
     add_damping_of_still_air(body, state, v, z, factor, out)
     for i in range(around.acting.size):
@@ -145,6 +146,7 @@ def add_damping_product(body, state, q, v, z, factor, out):
             _call_damping(at, body, state, q, v, z, factor, out)
         elif at == 0:
             out[1] = np.nan
+    keep_on_rails(body, out)
 
 
 @kernel(internal=True, fastmath=FAST)
@@ -182,6 +184,7 @@ def any_accelerations(body, state, scratch, q, v, a):
     slots = q.size // 2
     forces(body, state, scratch, q, v)
     accelerations_by(body, state, scratch, v[:slots], v[slots:], a)
+    keep_on_rails(body, a)
 
 
 @kernel(fastmath=FAST)

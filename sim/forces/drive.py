@@ -86,8 +86,9 @@ def lead_of(drive, i):
     """How the i-th mass of the drive is led."""
     row = drive.rows[i]
     return LeadParameters(
-        row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9], row[10], row[11]
-    )
+        row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9], row[10], row[11],
+        row[12], row[13],
+    )  # fmt: skip
 
 
 @kernel(forceinline=True)
@@ -170,6 +171,9 @@ def lead(drive, t, round_at, q, v):
         vx, vy = vx * by.hand, vy * by.hand
         if by.radius > 0.0:
             dx, dy, du, dv = circle_at(round_at, by.radius, by.omega, by.ramp)
+            if by.along_x != 0.0 or by.along_y != 0.0:
+                way, rate = by.along_x * dx + by.along_y * dy, by.along_x * du + by.along_y * dv
+                dx, dy, du, dv = by.along_x * way, by.along_y * way, by.along_x * rate, by.along_y * rate
             x, y, vx, vy = x + dx, y + dy, vx + du, vy + dv
         q[m], q[slots + m] = x, y
         v[m], v[slots + m] = vx, vy

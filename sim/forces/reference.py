@@ -21,6 +21,7 @@ import numpy as np
 
 from ..engine.tables import Body, State
 from .all import TERMS, WITH_ENERGY
+from .rails import along_rails
 from .term import Sticking, Vectors
 
 
@@ -39,7 +40,7 @@ class Physics:
     """
 
     def __init__(self, body: Body, state: State) -> None:
-        self._state = state
+        self._body, self._state = body, state
         self.terms = {term.name: term.reference(body, state) for term in TERMS}
         self._sticking = [term for term in self.terms.values() if isinstance(term, Sticking)]
 
@@ -50,7 +51,8 @@ class Physics:
     def accelerations(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) px/s²; zero where a mass is held."""
         state = self._state
-        return self.forces(x, v) * state.inverse_mass + (state.gx + 1j * state.gy)
+        free = self.forces(x, v) * state.inverse_mass + (state.gx + 1j * state.gy)
+        return along_rails(self._body, free)
 
     def energies(self, x: Vectors) -> dict[str, float]:
         """Energies of all forces that have one, kg px²/s², by their names."""

@@ -20,6 +20,7 @@ from ..engine.table import Table
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Body, Floats, Indices, Scratch, State, padded
 from ..forces.muscles import waves
 from ..forces.plasticity import without_broken
+from ..forces.rails import along_rails
 from ..forces.touch.batch import room_for_batches
 from ..forces.touch.contact import places
 from ..forces.touch.friction_history import room_in_scratch, room_in_state
@@ -265,6 +266,9 @@ def put_masses(state: State, system: System, scene: Scene, held: Bools) -> None:
     inverse_mass = free * system.inverse_mass
     state.v.reshape(2, -1)[:, masses] *= free
     state.inverse_mass[masses] = inverse_mass
+    if system.body.environment.rails.slot.size:
+        moving = along_rails(system.body, state.vx + 1j * state.vy)
+        state.vx[:], state.vy[:] = moving.real, moving.imag
     # The state is used for this scene only, so zeros in it have been zero from the start.
     if scene.air_friction and not scene.wind:  # the friction of wind is in the surroundings
         state.air[masses] = inverse_mass * scene.air_friction

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, LeadParameters, PrescribedMotion, State
 from ..forces.all import TERMS
+from ..forces.rails import ways_of
 from ..model.system import System
 from ..scene.numbers import MAX_SPEED
 from ..scene.types import Circle, Scene
@@ -33,6 +34,7 @@ class Driver:
         self._circles = {
             int(system.mass_index[a.mass]): a.circle for a in scene.anchors if a.circle is not None
         }
+        self._rails = ways_of(system.body)
         muscular = system.body.muscles.present
         self._timed = muscular or any(term.depends_on_time(system.body) for term in TERMS)
         self._hand = 0.0 if scene.force_law == "tutorial" else 1.0
@@ -82,11 +84,12 @@ class Driver:
         for m in indices:
             circle = self._circles.get(m)
             x, y = state.x[m], state.y[m]
-            ox, oy = offset(circle, t)
+            rail = self._rails.get(m, (0.0, 0.0))
+            ox, oy = offset(circle, t, rail)
             motion = motions.get(m, NO_MOTION)
             vx, vy = motion.vx, motion.vy
             if m in targets:
-                ex, ey = offset(circle, until)
+                ex, ey = offset(circle, until, rail)
                 vx = _SAFETY * bounded((targets[m][0] - ex - (x - ox)) / duration)
                 vy = _SAFETY * bounded((targets[m][1] - ey - (y - oy)) / duration)
             radius, omega, ramp = (
@@ -94,7 +97,8 @@ class Driver:
             )
             # Under the tutorial's law, the damping treats a directly led mass as being at rest.
             seen = 1.0 if m in motions else self._hand
-            rows.append(LeadParameters(x - ox, y - oy, vx, vy, *motion[2:], seen, radius, omega, ramp))
+            led = x - ox, y - oy, vx, vy, *motion[2:], seen
+            rows.append(LeadParameters(*led, radius, omega, ramp, *rail))
         return PrescribedMotion(
             moving=bool(indices) or pressed or self._timed,
             pressed=pressed,
@@ -115,17 +119,28 @@ def bounded(speed: float) -> float:
     return min(max(speed, -MAX_SPEED), MAX_SPEED)
 
 
-def offset(circle: Circle | None, time: float) -> tuple[float, float]:
-    """Displacement, px, of an anchor on a circle at a time (s); zero if it has none."""
+NO_RAIL = 0.0, 0.0
+
+
+def offset(circle: Circle | None, time: float, rail: tuple[float, float] = NO_RAIL) -> tuple[float, float]:
+    """Displacement, px, of an anchor on a circle at a time (s), along a rail if there is one; zero if it has
+    no circle."""
     if circle is None:
         return 0.0, 0.0
     phase = math.tau * circle.frequency * (time - circle.ramp * (1.0 - math.exp(-time / circle.ramp)))
-    return circle.radius * math.sin(phase), circle.radius * (1.0 - math.cos(phase))
+    return _along(rail, circle.radius * math.sin(phase), circle.radius * (1.0 - math.cos(phase)))
 
 
-def velocity(circle: Circle, time: float) -> tuple[float, float]:
-    """Velocity, px/s, of an anchor on a circle at a time (s)."""
+def velocity(circle: Circle, time: float, rail: tuple[float, float] = NO_RAIL) -> tuple[float, float]:
+    """Velocity, px/s, of an anchor on a circle at a time (s), along a rail if there is one."""
     fade = math.exp(-time / circle.ramp)
     omega = math.tau * circle.frequency
     phase, speed = omega * (time - circle.ramp * (1.0 - fade)), circle.radius * omega * (1.0 - fade)
-    return speed * math.cos(phase), speed * math.sin(phase)
+    return _along(rail, speed * math.cos(phase), speed * math.sin(phase))
+
+
+def _along(rail: tuple[float, float], x: float, y: float) -> tuple[float, float]:
+    if rail == NO_RAIL:
+        return x, y
+    way = rail[0] * x + rail[1] * y
+    return rail[0] * way, rail[1] * way

@@ -153,15 +153,16 @@ class PlainSolver:
         fade = np.exp(-round_at / lead.ramp)
         turn = np.exp(1j * lead.omega * (round_at - lead.ramp * (1.0 - fade)))
         # i r - i r exp(ip) = r (sin p, 1 - cos p), see `Circle`.
-        circle = 1j * lead.radius * (1.0 - turn)
+        circle, rate = 1j * lead.radius * (1.0 - turn), lead.radius * lead.omega * (1.0 - fade) * turn
+        along = lead.along_x + 1j * lead.along_y
+        on_rail = along != 0.0
+        circle = np.where(on_rail, along * (along.conjugate() * circle).real, circle)
+        rate = np.where(on_rail, along * (along.conjugate() * rate).real, rate)
         x[drive.mass] = (
             lead.x + 1j * lead.y + circle
             + led * (speed + led * (0.5 * acceleration + led / 6.0 * jerk))
         )  # fmt: skip
-        v[drive.mass] = (
-            lead.hand * (speed + since * (acceleration + 0.5 * since * jerk))
-            + lead.radius * lead.omega * (1.0 - fade) * turn
-        )  # fmt: skip
+        v[drive.mass] = lead.hand * (speed + since * (acceleration + 0.5 * since * jerk)) + rate
         if drive.timed:
             self._state.clock[0] = t
         if drive.pressed:

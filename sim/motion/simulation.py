@@ -262,7 +262,8 @@ class Simulation:
         Raises:
             InputError: the mass does not exist or is not held, or the place is not within ±1e6 px.
         """
-        index, (x, y) = self._held_mass(mass), within_bounds(to)
+        index = self._held_mass(mass)
+        x, y = self._on_rail(index, within_bounds(to))
         self._hands.leave(index)
         with self._by_hand():
             self._state.x[index], self._state.y[index] = x, y
@@ -274,7 +275,8 @@ class Simulation:
         Raises:
             InputError: as `move`.
         """
-        self._hands.lead(self._held_mass(mass), within_bounds(to))
+        index = self._held_mass(mass)
+        self._hands.lead(index, self._on_rail(index, within_bounds(to)))
 
     def follow(self, mass: int, to: tuple[float, float]) -> None:
         """Lead a held mass somewhere as fast as the body can follow, in this and later calls of `step`.
@@ -285,9 +287,19 @@ class Simulation:
             InputError: as `move`.
         """
         if self.rate_limited and not any(a.mass == mass and a.circle is not None for a in self.anchors):
-            self._hands.lead_limited(self._held_mass(mass), within_bounds(to))
+            index = self._held_mass(mass)
+            self._hands.lead_limited(index, self._on_rail(index, within_bounds(to)))
         else:
             self.lead(mass, to)
+
+    def _on_rail(self, index: int, to: tuple[float, float]) -> tuple[float, float]:
+        """Return the nearest place to a given one on the rail of the mass in a slot, if it is on one."""
+        rails, state = self._system.body.environment.rails, self._state
+        if not rails.slot.size or rails.number[index] < 0:
+            return to
+        x, y = rails.way[rails.number[index]].tolist()
+        along = x * (to[0] - state.x[index]) + y * (to[1] - state.y[index])
+        return float(state.x[index] + along * x), float(state.y[index] + along * y)
 
     def grab(self, mass: int) -> None:
         """Hold a mass that is free, as a hand does, until `release`; a held mass may be grabbed too.

@@ -33,6 +33,9 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
         radius: 1e-3..1e4 px, with which it is drawn, and touches what it meets if it is solid.
         solid: whether it touches as a ball of its radius: other solid masses, walls, and springs where the
             scene has contact; see `Contact`. Omitted in files if it is a point.
+        rail: the direction of a straight rail through it, along which alone it moves, any vector but zero;
+            omitted in files if it moves freely. A held mass on a rail is led along it, and goes to and fro on
+            it where it has a circle.
         force: a constant force on it (a point load), each component within ±1e15 kg px/s²; omitted in files
             if there is none. A held mass passes it on to its support.
     """
@@ -42,6 +45,7 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     mass: Kilograms = 1.0
     radius: Radius = 6.0
     solid: bool | msgspec.UnsetType = msgspec.UNSET
+    rail: Vector | msgspec.UnsetType = msgspec.UNSET
     force: tuple[ForceComponent, ForceComponent] | msgspec.UnsetType = msgspec.UNSET
 
 

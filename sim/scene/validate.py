@@ -135,6 +135,9 @@ def _problems(scene: Scene) -> Iterator[str]:
     yield from _linear_problems(scene, n)
     yield from _angular_problems(scene, springs)
     yield from _limit_problems(scene)
+    for i, mass in enumerate(scene.masses):
+        if mass.rail and not any(mass.rail):
+            yield f"masses[{i}].rail: a direction of (0, 0) points nowhere"
     for w, wall in enumerate(scene.walls):
         if not any(wall.normal):
             yield f"walls[{w}].normal: a normal of (0, 0) points nowhere"

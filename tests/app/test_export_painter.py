@@ -171,7 +171,7 @@ def test_constant_forces_are_arrows_in_pictures_and_in_the_plan(
     while len(plan):
         sections.append(plan[1 : 1 + int(plan[0])])
         plan = plan[1 + int(plan[0]) :]
-    assert len(sections) == 20
+    assert len(sections) == 22
     down = -0.6 if y_down else 0.6
     assert sections[-1] == pytest.approx([0.0, 0.0, down, 2.0, -0.18, 0.0], abs=1e-6)
 

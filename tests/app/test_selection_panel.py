@@ -308,6 +308,18 @@ def test_masses_become_balls() -> None:
     assert page.scene.masses[1].solid is msgspec.UNSET
 
 
+def test_masses_are_put_on_rails() -> None:
+    page = Page(rope())
+    page.select(masses=(1,))
+    page.frames(1)
+    page.enter("Masses move", "up and down on a rail")
+    assert page.scene.masses[1].rail == (0.0, 1.0)
+    page.frames(5)
+    assert page.made["Masses move"].value == "up and down on a rail"
+    page.enter("Masses move", "freely")
+    assert page.scene.masses[1].rail is msgspec.UNSET
+
+
 def test_springs_become_ropes_and_joints_stops() -> None:
     page = Page(rope())
     page.select(springs=(0, 1), joints=(0,))

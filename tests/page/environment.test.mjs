@@ -16,27 +16,27 @@ const floor = plan({ walls: new Float32Array([0, 500, 0, -1]) });
 const numbers = (path) => path.match(/-?\d+(\.\d+)?/g)?.map(Number) ?? [];
 
 test("a wall reaches over all of the view, wherever that is", () => {
-  const wall = wallInView(floor, 0, on, view);
+  const wall = wallInView(floor, floor.walls, 0, on, view);
   assert.deepEqual(wall.surface.map(({ y }) => y), [500, 500]);
   assert.deepEqual(wall.surface.map(({ x }) => x).sort((a, b) => a - b), [0, 800]);
   assert.equal(wall.corners.length, 4);
   // Moved up by far, and zoomed: the view is all wall, or none of it.
-  assert.equal(wallInView(floor, 0, { ...on, y: -9e5 }, view).corners.length, 4);
-  assert.equal(wallInView(floor, 0, { ...on, y: -9e5 }, view).surface.length, 0);
-  assert.deepEqual(wallInView(floor, 0, { ...on, y: 9e5 }, view).corners, []);
+  assert.equal(wallInView(floor, floor.walls, 0, { ...on, y: -9e5 }, view).corners.length, 4);
+  assert.equal(wallInView(floor, floor.walls, 0, { ...on, y: -9e5 }, view).surface.length, 0);
+  assert.deepEqual(wallInView(floor, floor.walls, 0, { ...on, y: 9e5 }, view).corners, []);
 });
 
 test("strokes begin at the surface, go into the wall, and stay in place when the view moves", () => {
-  const strokes = numbers(hatching(wallInView(floor, 0, on, view), 1));
+  const strokes = numbers(hatching(wallInView(floor, floor.walls, 0, on, view), 1));
   assert.ok(strokes.length / 4 > 40 && strokes.length / 4 < 120, `${strokes.length / 4}`);
   for (let i = 0; i < strokes.length; i += 4) assert.ok(strokes[i + 1] === 500 && strokes[i + 3] > 500);
-  const moved = numbers(hatching(wallInView(floor, 0, { ...on, x: 416 }, view), 1));
+  const moved = numbers(hatching(wallInView(floor, floor.walls, 0, { ...on, x: 416 }, view), 1));
   assert.ok(strokes.some((x, i) => i % 4 === 0 && Math.abs(x + 16 - moved[4]) < 0.2));
 });
 
 test("where walls meet, each surface ends", () => {
   const both = plan({ walls: new Float32Array([0, 500, 0, -1, 200, 0, 1, 0]) });
-  const [ground, side] = [0, 1].map((i) => wallInView(both, i, on, view));
+  const [ground, side] = [0, 1].map((i) => wallInView(both, both.walls, i, on, view));
   assert.deepEqual(uncovered(ground, [side]).map(({ x }) => x).sort((a, b) => a - b), [200, 800]);
   assert.deepEqual(uncovered(side, [ground]).map(({ y }) => y).sort((a, b) => a - b), [0, 500]);
   assert.deepEqual(uncovered(side, [{ at: { x: 400, y: 0 }, normal: { x: 1, y: 0 } }]), []);

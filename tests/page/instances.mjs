@@ -24,7 +24,7 @@ for await (const line of createInterface({ input: process.stdin })) {
       sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
       outlines: {
         ...resisting(plan, on, view),
-        wall: plan.walls.length ? outline(wallInView(plan, 0, on, view).corners) : "",
+        wall: plan.walls.length ? outline(wallInView(plan, plan.walls, 0, on, view).corners) : "",
         gas: loops(plan, places, true, damage.broken),
         liquid: loops(plan, places, false, damage.broken),
         skin: plan.contact ? skin(plan, places, damage.broken) : "",

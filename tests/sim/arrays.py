@@ -11,6 +11,7 @@ from sim import Scene, Simulation
 from sim.compiling.compiler import ENTRY_POINTS, fetch
 from sim.forces.all import ENERGIES, accelerations, add_damping_product
 from sim.forces.plasticity import yielding_accelerations
+from sim.forces.rails import keep_on_rails
 from sim.forces.reference import Physics
 from sim.model.sparsity import new_matrix
 from sim.motion.solver import Solver
@@ -133,6 +134,17 @@ class Arrays:
     def matrix_of(self, a: float, g: float, definite: bool = False) -> Floats:
         """a I - g Jv - Jx, as it is solved with."""
         return np.array(np.linalg.inv(self.inverse(a, g, definite)), float)
+
+    @property
+    def along(self) -> Floats:
+        """What takes everything across rails out of numbers of all of `here`."""
+        every = []
+        for unit in np.eye(self.here.size):
+            flat = np.zeros(self.q.size)
+            flat[self.here] = unit
+            keep_on_rails.py_func(self.body, flat)
+            every.append(flat[self.here])
+        return np.array(every).T
 
     def resistance(self, z: Floats, factor: float, start: Floats) -> Floats:
         """start + factor Jv z, for numbers of all of `here`."""

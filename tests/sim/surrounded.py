@@ -100,7 +100,8 @@ TOUCHING[ALONE] = ("girder", CONSTANT)
 
 ONE_SIDED = "springs and joints of one side"
 
-AROUND = [*KINDS, *TOUCHING, ONE_SIDED]
+ON_RAILS = "girder on rails in walls and a medium, with a gas"
+AROUND = [*KINDS, *TOUCHING, ONE_SIDED, ON_RAILS]
 
 
 def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
@@ -114,6 +115,12 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
             with_springs(scene, only=lambda i, _: ("pull", "push", msgspec.UNSET)[i % 3]),
             only=[("above", "below", msgspec.UNSET)[i % 3] for i in range(len(scene.angular_springs))],
         )
+    if kind == ON_RAILS:
+        scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
+        rails = {0: (1.0, 0.3), 3: (0.0, 2.0), 6: (1.0, -1.0)}
+        masses = [replace(one, rail=rails.get(i, msgspec.UNSET)) for i, one in enumerate(scene.masses)]
+        around = {**KINDS["walls"], **KINDS["medium"], **KINDS["gas"]}
+        return replace(scene, masses=tuple(masses), **around)
     if kind not in TOUCHING:
         return surrounded(kind, seed=seed, **changes)
     shape, contact = TOUCHING[kind]
@@ -132,7 +139,9 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
 def bare(scene: Scene) -> Scene:
     """The scene without anything that surrounds or touches the body, whose parts act on both sides."""
     added = {name for kind in KINDS.values() for name in kind} | {"contact"}
-    scene = replace(scene, masses=tuple(replace(mass, solid=msgspec.UNSET) for mass in scene.masses))
+    scene = replace(
+        scene, masses=tuple(replace(mass, solid=msgspec.UNSET, rail=msgspec.UNSET) for mass in scene.masses)
+    )
     scene = with_joints(with_springs(scene, only=msgspec.UNSET), only=msgspec.UNSET)
     return replace(scene, **{each.name: each.default for each in fields(Scene) if each.name in added})
 
@@ -149,7 +158,8 @@ def force_around(scene: Scene) -> tuple[Floats, Floats]:
 
 OF_SURROUNDINGS = {
     "wind_speed", "wind_direction", "turbulence", "wall_friction", "static_friction",
-    "belt_speed", "bounciness", "gas_pressure", "liquid_stiffness", "contact_distance", "contact_stiffness", "contact_friction",
+    "belt_speed", "bounciness", "gas_pressure", "liquid_stiffness", "contact_distance",
+    "contact_stiffness", "contact_friction",
     "drag_across", "drag_along", "ground_forward", "ground_backward", "ground_sideways",
 }  # fmt: skip
 OF_STRENGTH = {"strength", "yield_force"}

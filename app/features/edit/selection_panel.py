@@ -199,10 +199,11 @@ class SelectionPanel:
 
 
 _ONE_SIDED = "a rope only pulls, and a stop acts on one side of its rest angle"
-_WAY_BOXES: tuple[tuple[Kind, str, str], ...] = (
-    ("masses", "Masses touch", "balls touch each other, walls, and where there is contact, springs"),
-    ("linear_springs", "Springs act", _ONE_SIDED),
-    ("angular_springs", "Joints act", _ONE_SIDED),
+_WAY_BOXES: tuple[tuple[str, str, str], ...] = (
+    ("touch", "Masses touch", "balls touch each other, walls, and where there is contact, springs"),
+    ("move", "Masses move", "a mass on a rail moves along it only, as a cart does"),
+    ("springs", "Springs act", _ONE_SIDED),
+    ("joints", "Joints act", _ONE_SIDED),
 )
 _MIXED = "mixed"
 """What a choice shows where the selected parts act in several ways."""
@@ -213,25 +214,27 @@ class _Way:
 
     Args:
         page: the page.
-        kind: which of them.
+        key: of one of `WAYS`.
         label: of the box.
         hint: what is chosen, in a few words.
     """
 
-    def __init__(self, page: Page, kind: Kind, label: str, hint: str) -> None:
-        self._kind: Kind = kind
-        self._words = WAYS[kind]
+    def __init__(self, page: Page, key: str, label: str, hint: str) -> None:
+        self._way = way = WAYS[key]
+        self._words = way.words
         self._box = page.client.gui.add_dropdown(
             label, tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
             hint=hint,
         )  # fmt: skip
 
         def choose() -> None:
-            way = next((way for way, words in self._words.items() if words == self._box.value), None)
-            if way is not None:
+            name = next((name for name, words in self._words.items() if words == self._box.value), None)
+            if name is not None:
                 page.session.post(
                     commands.Change(
-                        lambda moment, selection: set_way(moment.scene, kind, parts_of(selection, kind), way)
+                        lambda moment, selection: set_way(
+                            moment.scene, way, parts_of(selection, way.kind), name
+                        )
                     )
                 )
 
@@ -239,10 +242,10 @@ class _Way:
 
     def take(self, scene: Scene, selection: Selection) -> None:
         """Show how the selected parts act."""
-        parts = parts_of(selection, self._kind)
+        parts = parts_of(selection, self._way.kind)
         self._box.visible = bool(parts)
         if parts:
-            ways, words = ways_of(scene, self._kind, parts), tuple(self._words.values())
+            ways, words = ways_of(scene, self._way, parts), tuple(self._words.values())
             shown = _MIXED if len(ways) > 1 else self._words[max(ways)]
             options = (_MIXED, *words) if shown == _MIXED else words
             if self._box.options != options:

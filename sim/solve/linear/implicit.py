@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from ...engine.jit import FAST, kernel
 from ...forces.fillings import write_area_product
+from ...forces.rails import keep_on_rails
 from .krylov import solve_with_contact
 from .sparse import assemble, eliminate
 from .vectors import add_multiple, dot
@@ -57,6 +58,7 @@ def _border(body, state, matrix, q):
     low_rank, small, count = matrix.low_rank, matrix.corrections, matrix.bordered.size
     for k in range(count):
         write_area_product(body, state, matrix.bordered[k], q, low_rank[k], low_rank[count + k])
+        keep_on_rails(body, low_rank[count + k])
         solve_with_contact(body, state, matrix, low_rank[count + k])
     for i in range(count):
         for k in range(count):

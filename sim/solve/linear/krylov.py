@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from ...engine.jit import FAST, kernel
+from ...forces.rails import keep_on_rails
 from ...forces.touch.contact import COUPLING_PAIRS, add_coupling
 from .sparse import solve_sparse
 from .vectors import add_multiple, dot
@@ -101,3 +102,4 @@ def _couple(body, state, matrix, z, out):
     for j in range(out.size):
         out[j] = 0.0
     add_coupling(body, state, matrix, z, out)
+    keep_on_rails(body, out)

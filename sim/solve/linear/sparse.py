@@ -12,6 +12,7 @@ from ...engine.jit import FAST, kernel
 from ...engine.numerics.blocks import inverted
 from ...forces.all import add_derivatives
 from ...forces.plasticity import add_yielding_derivatives, yield_at
+from ...forces.rails import keep_row_on_rail
 
 
 @kernel(fastmath=FAST)
@@ -45,9 +46,10 @@ def eliminate(body, state, matrix, v, a, g):
             slot[column[p]] = p
         for p in range(4 * start[i], 4 * start[i + 1]):
             blocks[p] *= w
-        d = 4 * diagonal[i]
-        blocks[d] += a + drag * abs(v[m])
-        blocks[d + 3] += a + drag * abs(v[slots + m])
+        d, drag_x, drag_y = 4 * diagonal[i], drag * abs(v[m]), drag * abs(v[slots + m])
+        if not keep_row_on_rail(body, blocks, m, start[i], start[i + 1], diagonal[i], a, drag_x, drag_y):
+            blocks[d] += a + drag_x
+            blocks[d + 3] += a + drag_y
         for p in range(start[i], diagonal[i]):
             k = column[p]
             e = 4 * diagonal[k]
