@@ -13,13 +13,10 @@ from ..errors import InputError
 from ..scene.types import Scene
 from ..store.csv_text import csv_text
 from ..store.files import write_file
+from .dimensions import IN_ASCII
 from .quantities import Moving, Quantity, quantity
 
 Floats = NDArray[np.float64]
-
-_ASCII = str.maketrans({"°": "deg", "²": "^2"})
-"""Signs of units for the first line of a table: not every program that opens one asks how it is encoded."""
-
 
 LOOKS_APART = 1.0 / 240.0
 """Seconds between two looks at a body whose angles are followed, at most, unless a step is longer."""
@@ -112,7 +109,7 @@ def table_text(
         rows: of time and values; a NaN leaves its place empty.
         decimal_comma: see `Recording.to_csv`.
     """
-    units = ((q.name, q.unit.translate(_ASCII)) for q in quantities)
+    units = ((q.name, q.unit.translate(IN_ASCII)) for q in quantities)
     head = ["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)]
     return csv_text([head, *(map(float, row) for row in rows)], decimal_comma, _digits)
 
