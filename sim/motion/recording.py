@@ -63,6 +63,11 @@ class Recording:
         """(k,) simulated time, s."""
         return self._columns[0]
 
+    @property
+    def wants_energy(self) -> bool:
+        """Whether any quantity is read from the energy balance."""
+        return any(q.is_of("energy") for q in self._quantities.values())
+
     def add(self, simulation: Moving) -> None:
         """Add a row for the present state."""
         each = zip(self._quantities.values(), self._last, strict=True)
@@ -72,12 +77,12 @@ class Recording:
     def look(self, simulation: Moving) -> None:
         """Follow the angles between two rows."""
         for i, q in enumerate(self._quantities.values()):
-            if q.kind.unwrapped:
+            if q.unwrapped:
                 self._last[i] = q.read(simulation, self._last[i])
 
     def steps_between(self, dt: float, every: int) -> int:
         """The most steps of a body from one look to the next, where a row is taken every so many."""
-        turns = any(q.kind.unwrapped for q in self._quantities.values())
+        turns = any(q.unwrapped for q in self._quantities.values())
         return min(max(int(LOOKS_APART / dt), 1), every) if turns else every
 
     def to_csv(self, path: str | Path, decimal_comma: bool = False) -> None:

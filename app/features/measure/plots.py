@@ -21,7 +21,7 @@ from ...ui import readouts
 from .phase import phase_svg
 
 _COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")
-_COLOR_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "ghost": "held"}
+_COLOR_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "body": "brand", "ghost": "held"}
 """Colours by kind of part, as on the canvas; a second part of a kind gets the next free one of `_COLORS`."""
 
 _FONT = f"12px {FONT}"
