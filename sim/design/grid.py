@@ -284,12 +284,13 @@ def _headings(head: list[Row], width: int) -> tuple[list[Heading], int]:
 
 
 def _own_formula(cell: str) -> tuple[str, str] | None:
-    """Return name and unit if a heading is a formula of softrod's, as in "mass1.x - mass0.x [px]"."""
+    """Return name and unit if a heading is softrod's own formula, as in "mass1.x - mass0.x [px]", or has
+    brackets in its name."""
     name, unit = cell.removeprefix("'"), ""
     if match := _LAST_UNIT.fullmatch(name):
         name, unit = match["name"], match["unit"]
     found = list(_QUANTITY.finditer(name))
-    if not found or not re.search(r"[-+*/^(]", _QUANTITY.sub("", name)):
+    if not found or not ("[" in name or re.search(r"[-+*/^(]", _QUANTITY.sub("", name))):
         return None
     # "mass1.x / cm" and "mass1.x (cm)" are a quantity with a unit.
     is_formula = unit or len(found) > 1 or name[: found[0].start()].strip()

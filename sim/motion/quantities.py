@@ -206,7 +206,7 @@ def _named(name: str, scene: Scene) -> Quantity:
     if kind is None:
         raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}")
     counted, is_some = of in COUNTED, which is not None and which.startswith("[")
-    if counted == (which is None or is_some) and not (is_some and of == "body"):
+    if of != "body" if is_some else counted == (which is None):
         raise InputError(f"{name!r} is not a quantity: {of} {'needs a' if counted else 'has no'} number")
     indices: tuple[int, ...] = ()
     whole = of

@@ -35,9 +35,6 @@ Of = Literal["end", "mean", "largest", "smallest", "period"]
 
 _OF: dict[str, Of] = {"mean": "mean", "largest": "largest", "smallest": "smallest", "period": "period"}
 
-_TOLD = re.compile(r"([a-z]+) +(?!\()", re.ASCII)
-"""A word before a quantity; that before a bracket is a function of a formula."""
-
 _WANTS = ("max", "min", "near", "reach", "step")
 
 _SHOWN: dict[Of, str] = {
@@ -116,10 +113,11 @@ def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
     elif want not in ("max", "min"):
         raise InputError(f"--goal {text}: {_meant(want, _WANTS)}")
     of: Of = "end"
-    if told := _TOLD.match(rest):
-        if told[1] not in _OF:
-            raise InputError(f"--goal {text}: {_meant(told[1], _OF)}")
-        of, rest = _OF[told[1]], rest[told.end() :]
+    word, space, after = rest.partition(" ")
+    if space and word in _OF:
+        of, rest = _OF[word], after
+    elif space and word.isalpha() and not after.startswith("("):  # nor a function of a formula
+        raise InputError(f"--goal {text}: {_meant(word, _OF)}")
     if not rest or (want == "reach" and of not in ("end", "period")):
         raise InputError(f"--goal {text}: {EXPECTED}")
     name, unit = _quantity(text, rest, scene)
