@@ -193,7 +193,7 @@ def colors_of(plot: Plot, colors: Palette) -> list[str]:
 def _labelled(quantities: Sequence[sim.Quantity]) -> str:
     """Return the axis label of quantities of one or two units."""
     units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
-    if len(quantities) > 1:
+    if len(quantities) > 1 or quantities[0].formula:
         return _label(quantities, units)
     return f"{quantities[0].name}, {units}" if units else quantities[0].name
 
