@@ -53,8 +53,8 @@ def sums(simulation: Simulation, masses: list[int]) -> dict[str, float]:
     centre, mean = (m @ x) / m.sum(), (m @ v) / m.sum()
     spin = moment(m, x - centre, v - mean)
     return {
-        "mass": m.sum(), "x": centre[0], "y": centre[1], "vx": mean[0], "vy": mean[1],
-        "momentum_x": m @ v[:, 0], "momentum_y": m @ v[:, 1], "angular_momentum": spin,
+        "mass": float(m.sum()), "x": centre[0], "y": centre[1], "vx": mean[0], "vy": mean[1],
+        "momentum_x": float(m @ v[:, 0]), "momentum_y": float(m @ v[:, 1]), "angular_momentum": spin,
         "angular_momentum_about_origin": moment(m, x, v),
     }  # fmt: skip
 
