@@ -22,8 +22,8 @@ from .session.plots import Plot, parse_plot
 MAX_TOLD = 3
 """Pulls of a run that are told one by one."""
 
-_PART = re.compile(r"(mass|spring|joint)(\d+)\.")
-"""What a quantity is of, and its number."""
+_NAME = re.compile(r"(?:(mass|spring|joint)(\d+)|[a-z]+)\.([a-z_]+)", re.ASCII)
+"""The name of a quantity: what it is of, with its number, and what it is."""
 
 _WORDS = {"elongation": "stretch", "dt over limit": "time step, as a part of its limit"}
 """Of quantities, for pupils."""
@@ -82,26 +82,31 @@ def lesson_code(scene: sim.Scene) -> str:
 def read_masses(step: Step, scene: sim.Scene) -> tuple[int, ...]:
     """The masses that a step reads: those of its plots, of its goal, and of what it collects.
 
-    Of a joint they are the ends of its springs that it does not share, of a spring both ends.
+    Of a joint they are the ends of its springs that it does not share, of a spring both ends, of a formula
+    those of its quantities.
     """
     names = [name for text in step.plots or () for name in (*parse_plot(text).names, parse_plot(text).over)]
     names += [reading.quantity for reading in (step.goal, step.collect) if reading is not None]
     found: set[int] = set()
-    for name in names:
-        part = _PART.match(name)
-        if part is None:
-            continue
-        kind, index = part[1], int(part[2])
-        springs = scene.linear_springs
-        if kind == "mass" and index < len(scene.masses):
-            found.add(index)
-        elif kind == "spring" and index < len(springs):
-            found |= {springs[index].a, springs[index].b}
-        elif kind == "joint" and index < len(scene.angular_springs):
-            joint = scene.angular_springs[index]
+    springs = scene.linear_springs
+    for each in (each for name in names for each in _measured(name, scene)):
+        if each.kind.of in ("mass", "body"):
+            found.update(each.indices)
+        elif each.kind.of == "spring":
+            found |= {springs[each.index].a, springs[each.index].b}
+        elif each.kind.of == "joint":
+            joint = scene.angular_springs[each.index]
             one, other = ({springs[s].a, springs[s].b} for s in (joint.a, joint.b))
             found |= one ^ other
     return tuple(sorted(found))
+
+
+def _measured(name: str, scene: sim.Scene) -> tuple[sim.Quantity, ...]:
+    """What is measured for a quantity; nothing if the scene does not have it."""
+    try:
+        return quantity(name, scene).measured
+    except InputError:
+        return ()
 
 
 def quantity_text(name: str) -> str:
@@ -111,12 +116,15 @@ def quantity_text(name: str) -> str:
 
 def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     """A reading in words, as in "stretch of spring 0" or "period of mass 1"."""
-    part = _PART.match(reading.quantity)
-    what = reading.quantity.rpartition(".")[2].replace("_", " ")
-    if part is None:
-        return f"period of {what}" if reading.of == "period" else _WORDS.get(what, what)
-    owner = f"{part[1]} {part[2]}"
-    return f"period of {owner}" if reading.of == "period" else f"{_WORDS.get(what, what)} of {owner}"
+    name = _NAME.fullmatch(reading.quantity)
+    if name is None:
+        return f"period of {reading.quantity}" if reading.of == "period" else reading.quantity
+    what, owner = name[3].replace("_", " "), f"{name[1]} {name[2]}" if name[1] else ""
+    if reading.quantity.startswith("body."):
+        owner = "the body"
+    if reading.of == "period":
+        return f"period of {owner or what}"
+    return f"{_WORDS.get(what, what)} of {owner}" if owner else _WORDS.get(what, what)
 
 
 def reading_unit(reading: Reading, scene: sim.Scene) -> str:

@@ -85,11 +85,6 @@ def new_table(scene: sim.Scene, energy: bool, names: Sequence[str]) -> Table:
     return PositionTable(len(scene.masses), energy)
 
 
-def _are_energies(names: Sequence[str]) -> bool:
-    """Whether any of the quantities needs the energy balance, which is then followed from the start."""
-    return any(name.startswith("energy.") for name in names)
-
-
 def _npz(**arrays: np.ndarray) -> bytes:
     data = io.BytesIO()
     np.savez(data, allow_pickle=False, **arrays)
@@ -140,7 +135,7 @@ def run(
     recording = new_table(record.scene, energy, names)
     followed = recording if isinstance(recording, sim.Recording) else None
     simulation = sim.Simulation(record.scene)
-    player = Player(record, simulation, energy or _are_energies(names))
+    player = Player(record, simulation, energy or (followed is not None and followed.wants_energy))
     in_log = sum(entry.n * entry.times for entry in record.entries if isinstance(entry, Step))
     total, due = in_log if steps is None else steps, every
     with Progress(console=console, transient=True, disable=total < LONG_RUN) as progress:

@@ -89,7 +89,8 @@ class Run:
             metavar="QUANTITY",
             help="write this instead of positions; may be repeated. It is the name of a part and what is "
             "measured of it, as in joint3.angle: "
-            + "; ".join(f"{part}: {', '.join(names)}" for part, names in PARTS.items()),
+            + "; ".join(f"{part}: {', '.join(names)}" for part, names in PARTS.items())
+            + "; or a formula of such, as in 'mass1.y - mass0.y'",
         ),
     ] = ()
     csv_comma: CsvComma = False

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 import sim
 from sim.errors import InputError
+from sim.motion.formulas import MAX_LENGTH
 from sim.motion.quantities import PARTS, Kind
 from sim.motion.recording import table_text
 
@@ -52,7 +53,7 @@ less. A plot of noise alone would have more marks than a page can draw, all with
 MIN_LENGTH = 1.0 / 60_000.0
 """The same for lengths, as a part of the scene's frame: a hundredth of a pixel if that is 600 px high."""
 
-Name = Annotated[str, Meta(max_length=60)]
+Name = Annotated[str, Meta(max_length=MAX_LENGTH)]
 
 
 class PlotSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -68,9 +69,19 @@ class PlotSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def parse_plot(text: str) -> PlotSpec:
-    """Read the name of a plot: "joint0.angle", "mass1.x, mass3.x", "joint0.rate over joint0.angle"."""
+    """Read the name of a plot: "joint0.angle", "mass1.x, mass3.x", "joint0.rate over joint0.angle".
+
+    A comma in brackets separates values or masses of one quantity.
+    """
     names, _, over = text.partition(" over ")
-    return PlotSpec(tuple(name.strip() for name in names.split(",")), over.strip())
+    found, depth = [""], 0
+    for sign in names:
+        depth += (sign in "([") - (sign in ")]")
+        if sign == "," and depth == 0:
+            found.append("")
+        else:
+            found[-1] += sign
+    return PlotSpec(tuple(name.strip() for name in found), over.strip())
 
 
 def plot_text(spec: PlotSpec) -> str:
@@ -97,7 +108,7 @@ def find(name: str, scene: sim.Scene) -> sim.Quantity:
         InputError: there is no such quantity, or the scene has no such part.
     """
     if name == "ghost.distance":
-        return sim.Quantity(name, scene.view.unit, _GHOST, 0)
+        return sim.Quantity(name, scene.view.unit, _GHOST)
     return sim.quantity(name, scene)
 
 
@@ -160,7 +171,7 @@ class Plot:
     @property
     def wants_energy(self) -> bool:
         """Whether any quantity is an entry of the energy balance."""
-        return any(q.kind.of == "energy" for q in self.quantities)
+        return any(q.is_of("energy") for q in self.quantities)
 
     def sample(self, session: Session) -> None:
         """Add the present values, if they are of a later time than all before; drop an abandoned future."""
@@ -184,7 +195,7 @@ class Plot:
         """Update the stability limit, which may be found while the clock is stopped."""
         last = self._room[self._end - 1, 1:]
         for i, quantity in enumerate(self.quantities):
-            if quantity.kind.of == "stability" and (value := _value(session, quantity)) != last[i]:
+            if quantity.is_of("stability") and (value := _value(session, quantity)) != last[i]:
                 last[i] = value
                 self.version += 1
 
@@ -306,14 +317,18 @@ def _rounded(values: Floats) -> Floats:
 
 def _value(session: Session, quantity: sim.Quantity, before: float = math.nan) -> float:
     """The present value of a quantity; NaN if there is none. An angle continues from the one before."""
+    value = quantity.value([_measured(session, each) for each in quantity.measured], before)
+    return value if math.isfinite(value) else math.nan
+
+
+def _measured(session: Session, quantity: sim.Quantity) -> float:
+    """The present value of a quantity that is no formula."""
     simulation, of = session.simulation, quantity.kind.of
     if of == "ghost":
         ghost = session.ghost
-        value = math.nan if ghost is None or ghost.is_compiling else ghost.distance
-    elif of == "stability":
-        value = simulation.dt / session.stability.limit  # as last estimated
-    elif of == "energy" and not simulation.track_energy(True):
-        value = math.nan  # its kernels are being compiled
-    else:
-        value = quantity.read(simulation, before)
-    return value if math.isfinite(value) else math.nan
+        return math.nan if ghost is None or ghost.is_compiling else ghost.distance
+    if of == "stability":
+        return simulation.dt / session.stability.limit  # as last estimated
+    if of == "energy" and not simulation.track_energy(True):
+        return math.nan  # its kernels are being compiled
+    return quantity.read(simulation)

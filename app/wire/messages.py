@@ -74,7 +74,7 @@ StepNumber = Annotated[int, Meta(ge=0, le=99)]
 Number = Annotated[float, Meta(ge=-1e15, le=1e15)]
 LongText = Annotated[str, Meta(max_length=8000)]
 """Longer than any text of a lesson may be, so that a notice can say by how much it is too long."""
-QuantityName = Annotated[str, Meta(max_length=100)]
+QuantityName = Annotated[str, Meta(max_length=200)]
 SceneName = Annotated[str, Meta(min_length=1, max_length=200)]
 Key = Literal["up", "down", "left", "right"]
 TextKind = Annotated[str, Meta(pattern="^[a-z]{1,20}$", extra={"typescript": "TextKind"})]

@@ -168,7 +168,9 @@ class _Search:
         first = np.clip(problem.first(), self._low, self._high)
         for t, run in enumerate(problem.fitted(first)):
             if run is None:
-                raise InputError("fit: the scene runs away, as it is, within the time that was measured")
+                formulas = any(q.formula for q in problem.tables[t].quantities)
+                what = "runs away, or a formula has no value," if formulas else "runs away, as it is,"
+                raise InputError(f"fit: the scene {what} within the time that was measured")
             # A column that hardly changes must not outweigh all others.
             off = np.sqrt(np.nanmean((problem.tables[t].measured - run) ** 2, axis=1))
             self._noise[t] = np.maximum(self._noise[t], _FAR * off)

@@ -39,6 +39,10 @@ _IN_BRACKETS = re.compile(
     re.DOTALL,
 )
 _AFTER_SLASH = re.compile(r"(?P<name>.*?\S)\s+/\s+(?P<unit>\S.*)", re.DOTALL)
+_LAST_UNIT = re.compile(r"(?P<name>.*) \[(?P<unit>[^\[\]]*)\]", re.DOTALL)
+_QUANTITY = re.compile(
+    r"\b(?:(?:joint|spring|mass)\d+|body(?:\[[\d., ]+\])?|energy|stability)\.[a-z_]+", re.ASCII
+)
 _RUN = r"(?:run|trial|set|lauf|durchlauf|messung|versuch|essai|опыт)\s*#?\s*\d+"
 _IS_RUN = re.compile(_RUN, re.IGNORECASE)
 _OF_RUN = re.compile(rf"(?P<name>.+?)[\s,:_-]+(?P<run>{_RUN})", re.IGNORECASE | re.DOTALL)
@@ -279,7 +283,23 @@ def _headings(head: list[Row], width: int) -> tuple[list[Heading], int]:
     return headings, named[-1] if named and named[-1] > 1 else 0
 
 
+def _own_formula(cell: str) -> tuple[str, str] | None:
+    """Return name and unit if a heading is softrod's own formula, as in "mass1.x - mass0.x [px]", or has
+    brackets in its name."""
+    name, unit = cell.removeprefix("'"), ""
+    if match := _LAST_UNIT.fullmatch(name):
+        name, unit = match["name"], match["unit"]
+    found = list(_QUANTITY.finditer(name))
+    if not found or not ("[" in name or re.search(r"[-+*/^(]", _QUANTITY.sub("", name))):
+        return None
+    # "mass1.x / cm" and "mass1.x (cm)" are a quantity with a unit.
+    is_formula = unit or len(found) > 1 or name[: found[0].start()].strip()
+    return (name, unit) if is_formula else None
+
+
 def _heading(cell: str, unit: str) -> Heading:
+    if formula := _own_formula(cell):
+        return Heading("", *map(printable, formula))
     group = ""
     match = _IN_BRACKETS.fullmatch(cell)
     after = match["after"].strip() if match else ""

@@ -13,7 +13,7 @@ from .measurements import Column, Measurement
 from .units import Unit, known_scale, unit_of
 
 _EXPRESSION = re.compile(
-    r"\s*(?:([-+]?\d+(?:\.\d*)?)\s*(?=[-+]))?\s*([-+]?)\s*([a-z]+\d*\.[a-z_]+)\s*", re.ASCII
+    r"\s*(?:([-+]?\d+(?:\.\d*)?)\s*(?=[-+]))?\s*([-+]?)\s*([a-z]+(?:\d+|\[[\d.,]+\])?\.[a-z_]+)\s*", re.ASCII
 )
 _WHICH = re.compile(r"(?:(?P<group>.*?)\s+)?(?P<what>\D+?)[ _]?(?P<number>\d{1,6})?", re.ASCII | re.DOTALL)
 _LETTER = re.compile(r"(?:mass|point|masse|punkt)[ _]?([a-z])", re.IGNORECASE | re.ASCII)
@@ -70,8 +70,8 @@ def matched(
     Args:
         measurement: the table.
         scene: the scene with the quantities.
-        match: quantities by column name, as in "mass1.x", "-mass1.y" or "90 - spring0.direction"; an empty
-            text leaves a column out, and columns not named are left out, too. None for the result of
+        match: quantities by column name, as in "mass1.x", "-mass1.y", "90 - spring0.direction" or a formula;
+            an empty text leaves a column out, and columns not named are left out, too. None for the result of
             `guesses`.
 
     Raises:
@@ -96,11 +96,7 @@ def matched(
 def _match(measurement: Measurement, column: Column, text: str, scene: Scene) -> Match:
     parts = _EXPRESSION.fullmatch(text)
     where = f"{measurement.name}, column {column.name!r}"
-    if parts is None:
-        raise InputError(
-            f"{where}: {text!r} is not a quantity, such as mass1.x, -mass1.y or 90 - spring0.direction"
-        )
-    offset, sign, name = parts.groups()
+    offset, sign, name = parts.groups() if parts else ("", "", text)
     try:
         found = quantity(name, scene)
         if found.kind.of == "mass" and found.index in {anchor.mass for anchor in scene.anchors}:

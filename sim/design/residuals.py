@@ -337,7 +337,7 @@ class Problem:
 
     def _other_length(self, table: _Table, mass: int, spring: int, measured: float, run: float) -> str:
         unit = self.scene.view.unit
-        each = next(m for m in table.matches if m.quantity.index == mass and m.unit.power == 1)
+        each = next(m for m in table.matches if m.quantity.name in (f"mass{mass}.x", f"mass{mass}.y"))
         own = (
             ""
             if each.scale is not None
@@ -479,7 +479,8 @@ class _Runner:
         self._adaptive = METHODS[scene.integrator.method].adaptive
 
     def run(self, scene: Scene, time: Floats, quantities: list[Quantity]) -> Floats | None:
-        """Return the quantities at (k,) times, (quantities, k); None if the body diverges before the last."""
+        """Return the quantities at (k,) times, (quantities, k); None if the body diverges before the last, or
+        a formula has no value."""
         integrator = scene.integrator
         step = integrator.dt
         if self._adaptive:
@@ -501,6 +502,8 @@ class _Runner:
             if k and simulation.step() < 1:
                 return None
             found[:, k] = [each.read(simulation) for each in quantities]
+        if not np.isfinite(found).all():
+            return None
         at = time / step
         nearest = np.rint(at)
         if np.abs(at - nearest).max() < 1e-6:

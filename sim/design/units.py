@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..motion.dimensions import IN_ASCII, dimension_of
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3}
 """Metres in each unit of length of known size."""
@@ -45,7 +46,7 @@ class Unit:
     dimension: str
     factor: float
     length: str
-    power: int
+    power: float
 
 
 def _all_units() -> dict[str, Unit]:
@@ -111,12 +112,12 @@ def known_scale(unit: Unit, scene_length: str) -> float | None:
     return None
 
 
-def _power(dimension: str) -> int:
-    return 2 if "{unit}²" in dimension else 1 if "{unit}" in dimension else 0
+def _power(dimension: str) -> float:
+    return dimension_of(dimension).length / 2
 
 
 def _has(text: str, dimension: str, length: str) -> bool:
-    return text == _normal(dimension.format(unit=length))
+    return text.translate(IN_ASCII) == _normal(dimension.format(unit=length)).translate(IN_ASCII)
 
 
 def _normal(text: str) -> str:

@@ -1,16 +1,19 @@
 """What can be measured of a body, under the same names in Python, in tables and on the command line.
 
-A name says of what and what: `joint3.angle`, `spring0.force`, `mass5.x`, `energy.kinetic`,
-`stability.dt_over_limit`. Parts are counted from 0, as in scene files. Everything is read from the present
-state and is what the solver goes by: what has yielded has its new rest length or angle, what is broken has no
-force, and lengths in forces are softened as `sim.forces.springs` says.
+A name says of what and what: `joint3.angle`, `spring0.force`, `mass5.x`, `body.vx`, `energy.kinetic`,
+`stability.dt_over_limit`. Parts are counted from 0, as in scene files. `body[2,5..7].x` is of some masses of
+the body. Everything is read from the present state and is what the solver goes by: what has yielded has its
+new rest length or angle, what is broken has no force, and lengths in forces are softened as
+`sim.forces.springs` says. A held mass has the velocity of what holds it, and so its momentum.
+
+A formula of such quantities is a quantity, too; see `formulas`.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -26,8 +29,10 @@ from ..model.loads import Loads
 from ..model.state import rest_lengths
 from ..model.system import System
 from ..scene.types import Scene
+from .dimensions import Dimension, dimension_of
 from .divergence import Divergence
 from .energy import ENERGY_FIELDS, Energies
+from .formulas import MAX_LENGTH, Formula, Measured, read_formula
 from .stability import StabilityEstimate
 
 Floats = NDArray[np.float64]
@@ -39,7 +44,14 @@ ENERGY_UNIT = "kg {unit}²/s²"
 _NAMED = {"kg m/s²": "N", "kg m²/s²": "J"}
 """Units that have a name, where lengths are in metres."""
 
-_NAME = re.compile(r"([a-z]+)(\d{1,9})?\.([a-z_]+)", re.ASCII)
+MOMENTUM_UNIT = "kg {unit}/s"
+
+_NAME = re.compile(r"([a-z]+)(\d{1,9}|\[[\d., ]{1,190}\])?\.([a-z_]+)", re.ASCII)
+
+_IS_FORMULA = re.compile(r"[-+*/^() ]")
+"""Found in every formula, and in a name only between masses."""
+
+_RANGE = re.compile(r" *(\d{1,9}) *(?:\.\. *(\d{1,9}) *)?", re.ASCII)
 
 
 class Moving(Protocol):
@@ -68,12 +80,13 @@ class Kind:
     """Something that can be measured of every part of a kind.
 
     Attributes:
-        of: the kind of part: "joint", "spring" or "mass"; or "energy" and "stability", which a body has once.
+        of: the kind of part: "joint", "spring" or "mass"; or "body", "energy" and "stability", which exist
+            once; or "formula".
         what: the rest of the name.
         unit: with "{unit}" for the scene's unit of length; empty for a pure number.
         summary: what it is, in a few words.
-        values: it, for an array of indices of parts (of the scene), (k,) each; for energy and stability,
-            the indices have no meaning.
+        values: it, for an array of indices of parts (of the scene), (k,) each; (1,) for what exists once.
+            For "body" the indices are those of its masses, and without any it is all of them.
         vertical: whether it is a y coordinate, or the y component of a vector.
         unwrapped: whether it is an angle that goes on beyond half a turn while it is followed.
     """
@@ -89,22 +102,50 @@ class Kind:
 
 @dataclass(frozen=True)
 class Quantity:
-    """Something that is measured of one part of a scene; `quantity` finds it by its name.
+    """Something that is measured of a scene; `quantity` finds it by its name.
 
     Attributes:
-        name: such as "joint3.angle".
+        name: such as "joint3.angle"; of a formula its text.
         unit: such as "°" or "px/s"; empty for a pure number.
         kind: what it is.
-        index: of the part.
+        indices: of the part; of some masses of a body those, and none for all.
+        formula: what is computed from the quantities that it names; None if it is measured itself.
+        leaves: these quantities, in the order of `Formula.names`.
     """
 
     name: str
     unit: str
     kind: Kind
-    index: int
+    indices: tuple[int, ...] = ()
+    formula: Formula | None = None
+    leaves: tuple[Quantity, ...] = ()
+
+    @property
+    def index(self) -> int:
+        """That of the only part; -1 if it is not of one part."""
+        return self.indices[0] if len(self.indices) == 1 else -1
+
+    @property
+    def measured(self) -> tuple[Quantity, ...]:
+        """The quantities that are measured for it: itself, or those in its formula."""
+        return self.leaves or (self,)
+
+    @property
+    def dimension(self) -> Dimension:
+        """The powers of its unit."""
+        return dimension_of(self.kind.unit)
+
+    @property
+    def unwrapped(self) -> bool:
+        """Whether it is an angle that goes on beyond half a turn while it is followed."""
+        return self.kind.unwrapped
+
+    def is_of(self, of: str) -> bool:
+        """Whether anything of a kind is measured for it, such as "energy"."""
+        return any(each.kind.of == of for each in self.measured)
 
     def read(self, simulation: Moving, before: float = math.nan) -> float:
-        """Its present value.
+        """Its present value; NaN where a formula has none, as after a division by zero.
 
         Args:
             simulation: the body.
@@ -114,8 +155,15 @@ class Quantity:
         Raises:
             InputError: it is an energy, and the kernels for these are still being compiled.
         """
-        value = float(self.kind.values(simulation, np.array([self.index]))[0])
-        if self.kind.unwrapped and math.isfinite(value) and math.isfinite(before):
+        found = [
+            float(each.kind.values(simulation, np.array(each.indices, np.int64))[0]) for each in self.measured
+        ]
+        return self.value(found, before)
+
+    def value(self, values: Sequence[float], before: float = math.nan) -> float:
+        """Its value for those of the `measured`; see `read`."""
+        value = values[0] if self.formula is None else self.formula.value(values)
+        if self.unwrapped and math.isfinite(value) and math.isfinite(before):
             value += 360.0 * round((before - value) / 360.0)
         return value
 
@@ -127,29 +175,72 @@ def unit_in(unit: str, length: str) -> str:
 
 
 def quantity(name: str, scene: Scene) -> Quantity:
-    """A quantity of a scene by its name, such as "joint3.angle".
+    """A quantity of a scene by its name, such as "joint3.angle", or by a formula of names, see `formulas`.
 
     Raises:
-        InputError: there is no such quantity, or the scene has no such part.
+        InputError: there is no such quantity, the scene has no such part, or it is not a formula.
     """
+    name = name.strip(" ")
+    if len(name) > MAX_LENGTH:
+        raise InputError(f"a quantity is named in at most {MAX_LENGTH} letters, and not in {len(name)}")
+    if not _IS_FORMULA.search(name):
+        return _named(name, scene)
+    text = re.sub(" +", " ", name)
+    formula = read_formula(text, lambda leaf: _named(leaf, scene), scene.view.unit)
+    leaves = tuple(_named(leaf, scene) for leaf in formula.names)
+    if isinstance(formula.tree, Measured):
+        return leaves[0]
+    unit = formula.dimension.unit
+    kind = Kind("formula", text, unit, "formula of quantities", _of_leaves, unwrapped=formula.unwrapped)
+    return Quantity(text, unit_in(unit, scene.view.unit), kind, (), formula, leaves)
+
+
+def _named(name: str, scene: Scene) -> Quantity:
+    """The quantity of a name that is no formula."""
     match = _NAME.fullmatch(name)
-    of, digits, what = match.groups() if match else ("", None, "")
+    of, which, what = match.groups() if match else ("", None, "")
     if of not in PARTS:
         parts = ", ".join(f"{part}0" if part in COUNTED else part for part in PARTS)
         raise InputError(f"{name!r} is not a quantity: it begins with one of {parts}, and then a point")
     kind = KINDS.get((of, what))
     if kind is None:
         raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}")
-    counted = of in COUNTED
-    if counted == (digits is None):
+    counted, is_some = of in COUNTED, which is not None and which.startswith("[")
+    if of != "body" if is_some else counted == (which is None):
         raise InputError(f"{name!r} is not a quantity: {of} {'needs a' if counted else 'has no'} number")
-    index = int(digits or 0)
-    if counted and index >= (count := COUNTED[of](scene)):
+    indices: tuple[int, ...] = ()
+    whole = of
+    if is_some:
+        indices = _some_masses(name, which or "", scene)
+        whole = of + (which or "").replace(" ", "")
+    elif which is not None:
+        indices = (int(which),)
+        whole = f"{of}{indices[0]}"  # without leading zeros
+        _check_part(name, of, indices[0], scene)
+    unit = unit_in(kind.unit, scene.view.unit)
+    return Quantity(f"{whole}.{what}", "N m" if (what, unit) == ("torque", "J") else unit, kind, indices)
+
+
+def _check_part(name: str, of: str, index: int, scene: Scene) -> None:
+    if index >= (count := COUNTED[of](scene)):
         there = f"(0..{count - 1})" if count else f"(the scene has no {of}s)"
         raise InputError(f"{name}: {of} {index} does not exist {there}")
-    whole = f"{of}{index}" if counted else of  # without leading zeros
-    unit = unit_in(kind.unit, scene.view.unit)
-    return Quantity(f"{whole}.{what}", "N m" if (what, unit) == ("torque", "J") else unit, kind, index)
+
+
+def _some_masses(name: str, which: str, scene: Scene) -> tuple[int, ...]:
+    """The masses in brackets, as in "[2,5..7]", each once."""
+    found: set[int] = set()
+    for part in which[1:-1].split(","):
+        match = _RANGE.fullmatch(part)
+        if match is None:
+            raise InputError(f"{name!r} is not a quantity: masses are named as in body[2,5..7]")
+        first = int(match[1])
+        last = int(match[2] or first)
+        if last < first:
+            raise InputError(f"{name!r} is not a quantity: {first}..{last} goes backwards")
+        _check_part(name, "mass", last, scene)
+        found.update(range(first, last + 1))
+    return tuple(sorted(found))
 
 
 # ------------------------------------------------------------------------- how they are read
@@ -170,6 +261,45 @@ def _accelerations(simulation: Moving, masses: Indices) -> Vectors:
     system, state = simulation.tables
     forces = simulation.loads.forces[masses]
     return (forces[:, 0] + 1j * forces[:, 1]) * state.inverse_mass[system.mass_index[masses]]
+
+
+def _momenta(simulation: Moving, masses: Indices) -> Vectors:
+    m, _, v = _bodies(simulation, masses)
+    return m * v
+
+
+def _bodies(simulation: Moving, masses: Indices) -> tuple[Floats, Vectors, Vectors]:
+    """Masses, positions and velocities of some masses; of all for no index."""
+    system = simulation.tables[0]
+    masses = masses if masses.size else np.arange(system.mass_index.size)
+    return system.body.environment.mass[system.mass_index[masses]], *_masses(simulation, masses)
+
+
+def _centre(simulation: Moving, masses: Indices) -> tuple[complex, complex]:
+    """Position and velocity of the centre of mass."""
+    m, x, v = _bodies(simulation, masses)
+    return complex(m @ x / m.sum()), complex(m @ v / m.sum())
+
+
+def _momentum(simulation: Moving, masses: Indices) -> complex:
+    return complex(_momenta(simulation, masses).sum())
+
+
+def _angular_momentum(simulation: Moving, masses: Indices, of_centre: bool) -> float:
+    """Angular momentum about the centre of mass or the origin, positive from +x towards +y."""
+    m, x, v = _bodies(simulation, masses)
+    if of_centre:
+        place, velocity = _centre(simulation, masses)
+        x, v = x - place, v - velocity
+    return float((m * (x.conj() * v).imag).sum())
+
+
+def _of_body(read: Callable[[Moving, Indices], float]) -> Callable[[Moving, Indices], Floats]:
+    return lambda simulation, masses: np.array([read(simulation, masses)])
+
+
+def _of_leaves(simulation: Moving, _: Indices) -> Floats:
+    return np.full(1, np.nan)  # a formula is computed from its leaves, see `Quantity.read`
 
 
 def _all_masses(state: State) -> tuple[Vectors, Vectors]:
@@ -305,6 +435,46 @@ _ALL = (
     Kind(
         "mass", "ay", "{unit}/s²", "acceleration along y; 0 while it is held",
         lambda *of: _accelerations(*of).imag, vertical=True,
+    ),
+    Kind("mass", "mass", "kg", "mass", lambda *of: _bodies(*of)[0]),
+    Kind("mass", "momentum_x", MOMENTUM_UNIT, "momentum along x", lambda *of: _momenta(*of).real),
+    Kind(
+        "mass", "momentum_y", MOMENTUM_UNIT, "momentum along y", lambda *of: _momenta(*of).imag, vertical=True
+    ),
+    Kind(
+        "body", "x", "{unit}", "x coordinate of the centre of mass",
+        _of_body(lambda *of: _centre(*of)[0].real),
+    ),
+    Kind(
+        "body", "y", "{unit}", "y coordinate of the centre of mass",
+        _of_body(lambda *of: _centre(*of)[0].imag), vertical=True,
+    ),
+    Kind(
+        "body", "vx", "{unit}/s", "velocity of the centre of mass along x",
+        _of_body(lambda *of: _centre(*of)[1].real),
+    ),
+    Kind(
+        "body", "vy", "{unit}/s", "velocity of the centre of mass along y",
+        _of_body(lambda *of: _centre(*of)[1].imag), vertical=True,
+    ),
+    Kind("body", "mass", "kg", "total mass", _of_body(lambda *of: float(_bodies(*of)[0].sum()))),
+    Kind(
+        "body", "momentum_x", MOMENTUM_UNIT, "total momentum along x",
+        _of_body(lambda *of: _momentum(*of).real),
+    ),
+    Kind(
+        "body", "momentum_y", MOMENTUM_UNIT, "total momentum along y",
+        _of_body(lambda *of: _momentum(*of).imag), vertical=True,
+    ),
+    Kind(
+        "body", "angular_momentum", "kg {unit}²/s",
+        "angular momentum about the centre of mass, from +x towards +y",
+        _of_body(lambda *of: _angular_momentum(*of, of_centre=True)),
+    ),
+    Kind(
+        "body", "angular_momentum_about_origin", "kg {unit}²/s",
+        "angular momentum about the origin, from +x towards +y",
+        _of_body(lambda *of: _angular_momentum(*of, of_centre=False)),
     ),
     *(
         Kind("energy", name, ENERGY_UNIT, _ENERGY_SUMMARIES[name], _of_energy(name))

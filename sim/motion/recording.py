@@ -13,13 +13,10 @@ from ..errors import InputError
 from ..scene.types import Scene
 from ..store.csv_text import csv_text
 from ..store.files import write_file
+from .dimensions import IN_ASCII
 from .quantities import Moving, Quantity, quantity
 
 Floats = NDArray[np.float64]
-
-_ASCII = str.maketrans({"°": "deg", "²": "^2"})
-"""Signs of units for the first line of a table: not every program that opens one asks how it is encoded."""
-
 
 LOOKS_APART = 1.0 / 240.0
 """Seconds between two looks at a body whose angles are followed, at most, unless a step is longer."""
@@ -66,6 +63,11 @@ class Recording:
         """(k,) simulated time, s."""
         return self._columns[0]
 
+    @property
+    def wants_energy(self) -> bool:
+        """Whether any quantity is read from the energy balance."""
+        return any(q.is_of("energy") for q in self._quantities.values())
+
     def add(self, simulation: Moving) -> None:
         """Add a row for the present state."""
         each = zip(self._quantities.values(), self._last, strict=True)
@@ -75,12 +77,12 @@ class Recording:
     def look(self, simulation: Moving) -> None:
         """Follow the angles between two rows."""
         for i, q in enumerate(self._quantities.values()):
-            if q.kind.unwrapped:
+            if q.unwrapped:
                 self._last[i] = q.read(simulation, self._last[i])
 
     def steps_between(self, dt: float, every: int) -> int:
         """The most steps of a body from one look to the next, where a row is taken every so many."""
-        turns = any(q.kind.unwrapped for q in self._quantities.values())
+        turns = any(q.unwrapped for q in self._quantities.values())
         return min(max(int(LOOKS_APART / dt), 1), every) if turns else every
 
     def to_csv(self, path: str | Path, decimal_comma: bool = False) -> None:
@@ -112,7 +114,7 @@ def table_text(
         rows: of time and values; a NaN leaves its place empty.
         decimal_comma: see `Recording.to_csv`.
     """
-    units = ((q.name, q.unit.translate(_ASCII)) for q in quantities)
+    units = ((q.name, q.unit.translate(IN_ASCII)) for q in quantities)
     head = ["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)]
     return csv_text([head, *(map(float, row) for row in rows)], decimal_comma, _digits)
 

@@ -372,7 +372,7 @@ class Simulation:
 
         Args:
             seconds: 0..1e9, of simulated time.
-            quantities: names, see `sim.quantity`; `sim.QUANTITIES` has them all.
+            quantities: names or formulas, see `sim.quantity`; `sim.QUANTITIES` has all names.
             every: steps from one row to the next, at least 1.
 
         Returns:

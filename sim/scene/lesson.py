@@ -17,6 +17,7 @@ from .parts import Circle, JointMuscle
 Sentence = Annotated[str, Meta(min_length=1, max_length=600)]
 Line = Annotated[str, Meta(min_length=1, max_length=160)]
 Assignment = Annotated[str, Meta(min_length=3, max_length=100)]
+QuantityName = Annotated[str, Meta(min_length=1, max_length=200)]
 
 
 MAX_PULLS = 20
@@ -46,11 +47,11 @@ class Reading(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=T
     """A value read from a run.
 
     Attributes:
-        quantity: its name, such as "mass1.y", see `sim.motion.quantities`.
+        quantity: its name, such as "mass1.y", or a formula, see `sim.motion.quantities`.
         of: its current value, or the period of its oscillation, s.
     """
 
-    quantity: Line
+    quantity: QuantityName
     of: Literal["value", "period"] = "value"
 
 
@@ -151,7 +152,7 @@ class Step(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     settings: tuple[Assignment, ...] = ()
     run: StepRun | msgspec.UnsetType = msgspec.UNSET
     controls: Annotated[tuple[Line, ...], Meta(max_length=6)] = ()
-    plots: Annotated[tuple[Line, ...], Meta(max_length=4)] | None = None
+    plots: Annotated[tuple[Sentence, ...], Meta(max_length=4)] | None = None
     arrows: tuple[Literal["forces", "velocities", "torques"], ...] | None = None
     ghost: Line | None = None
     predict: Annotated[float, Meta(gt=0.0, le=600.0)] | None = None

@@ -112,13 +112,15 @@ def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
                 raise InputError(f"--goal {text}: {seconds:g} is not in the range 0..{MAX_SECONDS:g} s")
     elif want not in ("max", "min"):
         raise InputError(f"--goal {text}: {_meant(want, _WANTS)}")
-    words = rest.split()
-    if len(words) == 2 and words[0] not in _OF:
-        raise InputError(f"--goal {text}: {_meant(words[0], _OF)}")
-    of: Of = _OF[words.pop(0)] if len(words) == 2 and words[0] in _OF else "end"
-    if len(words) != 1 or (want == "reach" and of not in ("end", "period")):
+    of: Of = "end"
+    word, space, after = rest.partition(" ")
+    if space and word in _OF:
+        of, rest = _OF[word], after
+    elif space and word.isalpha() and not after.startswith("("):  # nor a function of a formula
+        raise InputError(f"--goal {text}: {_meant(word, _OF)}")
+    if not rest or (want == "reach" and of not in ("end", "period")):
         raise InputError(f"--goal {text}: {EXPECTED}")
-    name, unit = _quantity(text, words[0], scene)
+    name, unit = _quantity(text, rest, scene)
     unit = "s" if want == "reach" or of == "period" else unit
     return Goal(text, want, of, name, unit, value, low, high, seconds), scene
 
@@ -191,7 +193,7 @@ class GoalMeter:
     def __init__(self, goal: Goal, simulation: sim.Simulation) -> None:
         self._goal, self._simulation = goal, simulation
         self._quantity = quantity(goal.quantity, simulation.scene)
-        simulation.track_energy(self._quantity.kind.of == "energy")
+        simulation.track_energy(self._quantity.is_of("energy"))
         self._times: list[float] = []
         self._values: list[float] = []
         # A lesson's goal asks at every moment for the period so far.
@@ -202,7 +204,7 @@ class GoalMeter:
     @property
     def needs_end_only(self) -> bool:
         """Whether the end of a run suffices, so that `look` need not be called."""
-        return self._goal.want != "reach" and self._goal.of == "end" and not self._quantity.kind.unwrapped
+        return self._goal.want != "reach" and self._goal.of == "end" and not self._quantity.unwrapped
 
     def look(self) -> None:
         """Sample the present state."""

@@ -351,6 +351,25 @@ def test_run_records_quantities_with_units_instead_of_positions(tmp_path: Path, 
     refused(softrod(*words, "--record", "joint99.angle"), "joint 99 does not exist (0..9)")
 
 
+def test_run_records_formulas_and_refuses_them_before_it_computes(tmp_path: Path, softrod: Softrod) -> None:
+    out = tmp_path / "swing.csv"
+    words = ("run", "tutorial-3.3", "--steps", "50", "--every", "50", "--out", out)
+    asked = ("--record", "energy.residual / mass1.mass", "--record=-mass11.y", "--record", "body[0..3].vy")
+    assert softrod(*words, *asked).returncode == 0
+    header, row = rows_of(out)
+    assert header == [
+        "time [s]", "energy.residual / mass1.mass [px^2/s^2]", "'-mass11.y [px]", "body[0..3].vy [px/s]",
+    ]  # fmt: skip
+    simulation = sim.Simulation(sim.load_scene("tutorial-3.3"))
+    simulation.track_energy(True)  # from the start
+    simulation.step(50)
+    assert float(row[1]) == simulation.energy().residual / simulation.scene.masses[1].mass != 0.0
+    assert float(row[2]) == -simulation.positions[11, 1]
+    refused(
+        softrod(*words, "--record", "mass1.x + mass1.vx"), "'mass1.x' (px) and 'mass1.vx' (px/s) cannot be"
+    )
+
+
 def test_a_run_says_where_its_method_softens_springs(tmp_path: Path, softrod: Softrod) -> None:
     words = ("run", "rope", "--steps", 2, "--out", tmp_path / "a.csv", "--set", "method=stable_spring")
     soft = softrod(*words, "--set", "dt=0.0166")

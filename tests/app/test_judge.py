@@ -83,6 +83,15 @@ def test_a_goal_for_an_angle_goes_on_beyond_half_a_turn() -> None:
     assert watch.value == pytest.approx(0.0, abs=0.1)
 
 
+def test_a_formula_is_a_goal_and_has_no_reading_where_it_has_no_value() -> None:
+    scene = a_scene()
+    watch = GoalWatch(Goal(quantity="(mass1.y - mass0.y)^2 / 1 [px^2]", low=0.0), scene)
+    assert watch.look(sim.Simulation(scene))
+    watch = GoalWatch(Goal(quantity="mass1.y / (mass0.x - mass0.x)", low=-1e300), scene)
+    assert not watch.look(sim.Simulation(scene))
+    assert watch.value is None
+
+
 def test_a_goal_is_held_without_a_break() -> None:
     scene = a_scene()
     goal = Goal(quantity="mass1.y", low=205.0, seconds=0.5)

@@ -15,6 +15,7 @@ from app.cli.main import Check
 from app.features.lesson.messages import BeginStep, LessonStep
 from app.features.lesson.messages import Lesson as LessonState
 from app.features.lesson.panel import LessonPanel
+from app.lessons import check_lesson, goal_text, quantity_text, read_masses
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
@@ -23,7 +24,7 @@ from app.wire.from_page import Perform
 from app.wire.messages import read
 from sim.edit.build import add_mass
 from sim.edit.lesson import add_step
-from sim.scene.lesson import Lead, Lesson, Pull, Question, Step, StepRun
+from sim.scene.lesson import Goal, Lead, Lesson, Pull, Question, Reading, Step, StepRun
 from sim.scene.parts import Circle
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 from sim.store.files import built_in_folder, decode_scene, encode_scene
@@ -32,6 +33,8 @@ from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import Client, page_of
 from tests.app.whole import WholePage
+
+FORMULA = "atan2(mass1.y - mass0.y, spring0.length)"
 
 LESSONS = sorted(path.stem for path in (built_in_folder() / "lessons").glob("*.json"))
 QUESTION = Question(text="?", choices=("a", "b"), answer=1, because="so")
@@ -385,3 +388,26 @@ def test_a_lesson_leaves_behind_what_was_before() -> None:
     assert "Lesson" not in page.gui
     assert (page.gui["Forces"].value, page.gui["Torques"].value) == (True, False), "one's own arrows are back"
     assert "joint0.angle" in page.gui.text(), "and one's own plot"
+
+
+def test_formulas_in_a_step_are_named_as_they_are_and_read_their_masses() -> None:
+    scene = sim.rope(6)
+    step = Step(
+        title="t", do="d", plots=(f"{FORMULA}, body[3,4].x over mass99.x",),
+        collect=Reading(quantity="body.x"),
+    )  # fmt: skip
+    assert read_masses(step, scene) == (0, 1, 3, 4)
+    words = {
+        FORMULA: FORMULA, "body.angular_momentum": "angular momentum of the body", "mass1.y": "y of mass 1",
+        "body[3,4].x": "body[3,4].x", "energy.kinetic": "kinetic", "spring2.length": "length of spring 2",
+    }  # fmt: skip
+    assert {name: quantity_text(name) for name in words} == words
+    assert goal_text(Goal(quantity=FORMULA, of="period", low=1.0), scene) == (
+        f"period of {FORMULA}: at least 1 s"
+    )
+    goal = Goal(quantity=FORMULA, low=1.0, high=2.0)
+    assert goal_text(goal, scene) == f"{FORMULA}: 1 to 2 °"
+    check_lesson(with_lesson(msgspec.structs.replace(step, plots=(FORMULA,), goal=goal)))
+    wrong = msgspec.structs.replace(step, plots=("mass0.x + 1",))
+    with pytest.raises(sim.InputError, match=r"^lesson\.steps\[0\]\.plots\[0\]: .* cannot be added"):
+        check_lesson(with_lesson(wrong))

@@ -300,6 +300,22 @@ def test_a_step_that_cannot_begin_is_not_tried() -> None:
     assert form.letters.last(LessonForm).trying == -1
 
 
+def test_the_form_offers_the_formulas_that_are_plotted(monkeypatch: pytest.MonkeyPatch) -> None:
+    formula = "atan2(mass1.y, mass1.x)"
+    plots = (f"mass0.x, {formula} over mass0.y", f"{formula}, mass99.x - mass0.x")
+    monkeypatch.setitem(globals(), "MEASURED", MEASURED._replace(plots=plots))
+    form = Form()
+    assert form.letters.last(LessonOffers).parts == ("joint0", "mass3", formula)
+    form.say(asks.AddStep(0))
+    drafts = (formula, "mass0.x + mass0.vx")
+    for draft in drafts:
+        goal = asks.GoalDraft(quantity=draft, of="value", low=1.0, high=None, seconds=0.0)
+        form.say(asks.ChangeStep(0, changes=asks.StepChanges(goal=goal)))
+    assert form.steps[0].goal == Goal(quantity=formula, low=1.0)
+    assert form.taken.field == "goal.quantity"
+    assert "cannot be added: their units differ" in form.taken.refused
+
+
 def test_the_form_offers_what_there_is_now() -> None:
     form = Form()
     offers = form.letters.last(LessonOffers)

@@ -25,7 +25,7 @@ from app.features.measure.plot_list import ADD
 from app.session import commands
 from app.session.history import SPAN
 from app.session.notices import Notice
-from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve
+from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve, parse_plot
 from app.stage.colors import palette
 from sim.errors import InputError
 from tests.app.inside import press
@@ -252,6 +252,61 @@ def test_values_that_are_none_leave_a_gap() -> None:
     assert page.plot.rows[-1, 1] == page.session.ghost.distance
     assert np.isfinite(curve(page.plot, 10.0, 5).values[2]).all()
     assert page.plot.table().splitlines()[1].split(",")[1] == ""
+
+
+def test_formulas_are_plotted_with_gaps_beside_what_they_are_made_of() -> None:
+    names = ("mass11.y - mass0.y", "1 / (mass0.x - mass0.x) * mass0.x^2", "mass11.y")
+    page = PlotPage(*names)
+    page.frames(5)
+    (_, height, gap, y), top = page.plot.rows[-1], page.simulation.positions[0, 1]
+    assert height == y - top
+    assert math.isnan(gap)
+    assert page.plot.units == ("px",)
+    assert page.plot.turned == (True,), "as its mass"
+    assert PlotPage("-mass11.y").plot.turned == (False,), "a height grows upwards"
+    assert page.plot.table().splitlines()[1].split(",")[2] == ""
+    energies = PlotPage("energy.kinetic / mass1.mass", "stability.dt_over_limit * 100")
+    energies.frames(5)
+    assert energies.plot.wants_energy
+    kinetic, share = energies.plot.rows[-1, 1:]
+    assert kinetic == energies.simulation.energy().kinetic / energies.simulation.scene.masses[1].mass
+    assert share == 100.0 * energies.simulation.dt / energies.session.stability.limit
+
+
+@pytest.mark.parametrize(
+    ("text", "names", "over"),
+    [
+        ("mass1.x, mass3.x", ("mass1.x", "mass3.x"), ""),
+        (
+            "atan2(mass1.y, mass1.x), mass1.y over body[0,2].x",
+            ("atan2(mass1.y, mass1.x)", "mass1.y"),
+            "body[0,2].x",
+        ),
+        ("body[1,2].x,body.y over (mass1.x)", ("body[1,2].x", "body.y"), "(mass1.x)"),
+    ],
+)
+def test_commas_in_brackets_are_a_quantity_s_own(text: str, names: tuple[str, ...], over: str) -> None:
+    assert parse_plot(text) == PlotSpec(names, over)
+    Plot(parse_plot(text), sim.load_scene("tutorial-3.3"))
+
+
+def test_a_formula_takes_the_place_of_the_quantity_or_says_below_why_not() -> None:
+    page = WholePage("rod")
+    page.enter("Formula", "mass1.y + <b>")
+    assert "&#x27;&lt;&#x27; has no place in a formula." in page.gui.text()
+    page.enter("Formula", "mass1.y + mass1.vy")
+    assert "(px) and &#x27;mass1.vy&#x27; (px/s) cannot be added: their units differ." in page.gui.text()
+    page.enter("New plot")
+    assert not page.tab.probe().plots
+    page.enter("Formula", " mass1.y -  mass0.y ")
+    assert "cannot be added" not in page.gui.text()
+    page.enter("New plot")
+    assert page.tab.probe().plots == (PlotSpec(("mass1.y - mass0.y",)),)
+    page.enter("Formula", "")
+    page.enter("New plot")
+    assert len(page.tab.probe().plots) == 2
+    page.enter("Formula", "(" * 100_000)
+    assert "named in at most 200 letters, and not in 201." in page.gui.text()
 
 
 def test_energies_add_up_and_leave_the_log_as_it_is() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from playwright.sync_api import Locator
 
+from app.session.plots import PlotSpec
 from sim.scene.lesson import Goal, Question, Step
 from tests.app.inside import sandboxes
 from tests.browser.conftest import OpenPage
@@ -73,6 +74,28 @@ def test_a_step_is_written_ordered_tried_and_seen_as_pupils_see_it(open_page: Op
     desk.until(lambda: "1 of 2" in desk.page.locator(".softrod-lesson").inner_text(), "there is its lesson")
     assert desk.page.evaluate("window.evil") is None
     assert not desk.notices()
+
+
+def test_a_formula_is_plotted_and_then_a_goal(open_page: OpenPage) -> None:
+    desk = open_page("rope", size=(1280, 720))
+    desk.show("Measure")
+    formula, said = "mass1.y - mass0.y", desk.page.locator(".softrod-panel .softrod-refused")
+    desk.control("Formula").fill("mass1.y - mass0.vy")
+    desk.until(lambda: "cannot be subtracted: their units differ." in said.inner_text(), "it says why not")
+    desk.control("Formula").fill(formula)
+    desk.until(lambda: not said.is_visible(), "it is one")
+    desk.button("New plot").click()
+    desk.until(lambda: PlotSpec((formula,)) in desk.tab.probe().plots, "it is plotted")
+    begin(desk)
+    field(desk, "A goal to reach").check()
+    field(desk, "Goal: part").select_option(formula)
+    assert not field(desk, "Goal: quantity").is_visible()
+    write(desk, "from", "300")
+    desk.until(lambda: steps(desk)[0].goal == Goal(quantity=formula, low=300.0), "it is the goal")
+    field(desk, "Goal: part").select_option("mass1")
+    goal = Goal(quantity="mass1.y", low=300.0)
+    desk.until(lambda: steps(desk)[0].goal == goal, "and a quantity again")
+    assert not sentences(desk)
 
 
 def write_a_step(desk: Desk) -> None:

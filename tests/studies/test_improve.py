@@ -146,6 +146,9 @@ def test_whole_numbers_are_computed_once(tmp_path: Path) -> None:
         ("max largest mass1.x", lambda time, x: x.max()),
         ("max smallest mass1.x", lambda time, x: x.min()),
         ("near 90 smallest mass1.x", lambda time, x: x.min()),
+        ("max mass1.x - mass0.x", lambda time, x: x[-1]),
+        ("min mean (mass1.x - mass0.x)", lambda time, x: np.trapezoid(x, time) / time[-1]),
+        ("max smallest abs (mass1.x)", lambda time, x: x.min()),
         ("near 1 period mass1.x", lambda time, x: 2.0 * math.pi / math.sqrt(100.0 - 0.25)),
     ],
 )

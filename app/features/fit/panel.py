@@ -19,6 +19,7 @@ from sim.design.measurements import Measurement
 from sim.design.residuals import MAX_VARIED
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
+from sim.motion.formulas import MAX_LENGTH
 from sim.settings import settings_of
 
 from ...background import BackgroundWorker, YieldGil
@@ -114,7 +115,7 @@ class FitPanel:
                 self._columns[column.name] = gui.add_text(
                     _short(column.label),
                     initial_value=texts[column.name],
-                    hint="as mass1.x, -mass1.y or 90 - spring0.direction; empty to leave it out",
+                    hint="as mass1.x, -mass1.y, 90 - spring0.direction or a formula; empty to leave it out",
                     order=FIRST + 1 + 0.1 * i,
                 )
             self._scale = gui.add_text(
@@ -194,7 +195,7 @@ class FitPanel:
         table, scene = self._table, self._session.scene
         if table is None:
             raise InputError("there is no table")
-        return matched(table, scene, {name: box.value[:100] for name, box in self._columns.items()})
+        return matched(table, scene, {name: box.value[:MAX_LENGTH] for name, box in self._columns.items()})
 
     def _given_scale(self) -> float | None:
         """Return the scale that was typed; None if it is none."""

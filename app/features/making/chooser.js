@@ -5,7 +5,10 @@ import { box, makeSelect, refusal, setOptions } from "./fields.js";
 /** @typedef {import("../../wire/wire.js").LessonOffers} LessonOffers */
 /** @typedef {import("../../wire/wire.js").ReadingDraft} Reading */
 
-/** Two lists for a quantity, and one for its value or its period. */
+/** A part of the body and what is measured of it; all else is a formula. */
+const NAME = /^([a-z]+\d*)\.([a-z_]*)$/;
+
+/** Two lists for a quantity, of which the first has formulas, too, and one for its value or its period. */
 export class Chooser {
   /** @param {string} label @param {string} name of the field @param {() => void} changed */
   constructor(label, name, changed) {
@@ -25,20 +28,23 @@ export class Chooser {
 
   /** @returns {Reading} */
   get reading() {
-    return { quantity: `${this.part.value}.${this.what.value}`, of: this.of.value === "period" ? "period" : "value" };
+    const part = this.part.value;
+    return { quantity: /^[a-z]+\d*$/.test(part) ? `${part}.${this.what.value}` : part, of: this.of.value === "period" ? "period" : "value" };
   }
 
   /** Shows a reading, or a first choice. @param {Reading | null} reading */
   show(reading) {
     if (!this.offers) return;
     const { parts, quantities } = this.offers;
-    const [part, what] = reading?.quantity.split(".") ?? [parts.find((one) => one.startsWith("mass")) ?? parts[0] ?? "", ""];
+    const first = parts.find((one) => one.startsWith("mass")) ?? parts[0] ?? "";
+    const [, part, what] = NAME.exec(reading?.quantity ?? `${first}.`) ?? ["", reading?.quantity ?? "", ""];
     const known = parts.includes(part) || !part ? parts : [part, ...parts];
     setOptions(this.part, known.map((one) => [one, one]), part);
     const units = quantities[part.replace(/\d+$/, "")] ?? {};
     const names = Object.keys(units);
     const usual = part.startsWith("mass") ? "y" : (names[0] ?? "");
     setOptions(this.what, names.map((one) => [one, `${one.replaceAll("_", " ")}${units[one] && ` (${units[one]})`}`]), names.includes(what) ? what : usual);
+    this.what.hidden = names.length === 0;
     if (reading) this.of.value = reading.of;
   }
 

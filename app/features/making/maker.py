@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 from collections.abc import Callable
@@ -14,7 +15,7 @@ import sim
 from sim.edit import lesson
 from sim.edit.edit import Edit
 from sim.errors import InputError, SceneError, SettingError
-from sim.motion.quantities import KINDS, PARTS, unit_in
+from sim.motion.quantities import KINDS, PARTS, quantity, unit_in
 from sim.scene.lesson import Goal, Question, Reading, Step
 from sim.settings import CHOICES, scene_of_step, settings_of
 from sim.solve.registry import METHODS
@@ -23,6 +24,7 @@ from ...lessons import run_text
 from ...session import commands
 from ...session.ghost import REFERENCE
 from ...session.notices import Notice
+from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
 from . import messages as asks
@@ -242,7 +244,10 @@ class LessonMaker:
         sliders = [(setting.key, setting.label) for setting in settings_of(scene)]
         wanted = lesson.settings_to_set(scene, scene, self._session.opened)
         return LessonOffers(
-            parts=tuple(part for part in measured.parts if part.rstrip("0123456789") in PARTS),
+            parts=(
+                *(part for part in measured.parts if part.rstrip("0123456789") in PARTS),
+                *_formulas(measured.plots, scene),
+            ),
             quantities={
                 of: {
                     kind.what: unit_in(kind.unit, scene.view.unit) for kind in KINDS.values() if kind.of == of
@@ -255,6 +260,16 @@ class LessonMaker:
             plots=measured.plots,
             arrows=self._arrows,
         )
+
+
+def _formulas(plots: tuple[str, ...], scene: sim.Scene) -> list[str]:
+    """Return the formulas in some plots."""
+    found = []
+    for name in dict.fromkeys(name for text in plots for name in parse_plot(text).names):
+        with contextlib.suppress(InputError):
+            if quantity(name, scene).formula is not None:
+                found.append(name)
+    return found
 
 
 def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:

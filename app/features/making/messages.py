@@ -152,7 +152,8 @@ class LessonOffers(State, frozen=True, kw_only=True):
     """What the user can choose for a step at present.
 
     Attributes:
-        parts: measurable parts: those at the mass that was clicked last, and those that exist once.
+        parts: measurable parts: those at the mass that was clicked last, and those that exist once; and the
+            formulas in the open plots.
         quantities: units of the quantities of each kind of part.
         controls: those that apply to the scene.
         methods: labels of the methods of a second body.

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import html
+
 import numpy as np
 import viser
 
+from sim.errors import InputError
+from sim.motion.formulas import MAX_LENGTH
 from sim.motion.quantities import COUNTED
 from sim.scene.columns import ends
 from sim.scene.types import Scene
 
 from ...session.notices import Notice
-from ...session.plots import OFFERED, PlotSpec
+from ...session.plots import OFFERED, PlotSpec, find
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
@@ -31,6 +35,7 @@ ABOUT = TEXT.format("Click a mass to choose what is measured: the mass, its join
 ABOUT_PLOTS = TEXT.format(
     "Move the pointer over a plot to read values; drag across it to zoom in, double-click to see all."
 )
+REFUSED = TEXT.format('<span class="softrod-refused">{}</span>')
 NO_PLOT = TEXT.format("No plot is open. <b>New plot</b> shows {} while it moves.")
 
 
@@ -57,6 +62,14 @@ class MeasurePanel:
             gui.add_html(ABOUT, order=BELOW + 2)
             self._part = gui.add_dropdown("Part", FIRST_PART, order=BELOW + 3)
             self._what = gui.add_dropdown("Quantity", OFFERED["mass"], order=BELOW + 4)
+            self._formula = gui.add_text(
+                "Formula",
+                initial_value="",
+                hint="in place of the quantity, as mass1.y - mass0.y or sqrt(mass0.vx^2 + mass0.vy^2)",
+                order=BELOW + 4.2,
+            )
+            self._refusal = gui.add_html("", order=BELOW + 4.4)
+            self._refusal.visible = False
             self._over = gui.add_dropdown("Over", TIME, order=BELOW + 5)
             self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=BELOW + 6)
             self._hint = gui.add_html("", order=BELOW + 7)
@@ -64,7 +77,7 @@ class MeasurePanel:
             self._comma_switch.visible = False
             self._joint_table = gui.add_html("", order=LAST) if "angle" in page.controls else None
         self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
-        for chosen in (self._part, self._what):
+        for chosen in (self._part, self._what, self._formula):
             on_change(chosen, lambda: page.later(self._offer))
         on_change(self._span, lambda: page.later(self._set_span))
         on_press(self.new, lambda: page.later(self._add_chosen))
@@ -99,9 +112,12 @@ class MeasurePanel:
         """Update the options of the lists."""
         part = _set_options(self._part, self.parts)
         offered = OFFERED[part.rstrip("0123456789")]
-        chosen = f"{part}.{_set_options(self._what, offered)}"
-        same_part = (f"{part}.{what}" for what in offered)
-        self._hint.content = ABOUT_PLOTS if len(self.plots) else NO_PLOT.format(self._chosen)
+        _set_options(self._what, offered)
+        same_part, chosen = (f"{part}.{what}" for what in offered), self._chosen
+        refused = self._refused()
+        self._refusal.content, self._refusal.visible = refused, bool(refused)
+        first = NO_PLOT.format(html.escape(chosen))
+        self._hint.content = ABOUT_PLOTS if len(self.plots) else "" if refused else first
         others = [name for name in dict.fromkeys((*same_part, *self.plots.names)) if name != chosen]
         _set_options(self._over, (*TIME, *others))
 
@@ -129,7 +145,19 @@ class MeasurePanel:
 
     @property
     def _chosen(self) -> str:
-        return f"{self._part.value}.{self._what.value}"
+        """The formula, or without one the chosen quantity."""
+        formula = self._formula.value[: MAX_LENGTH + 1].strip()
+        return formula or f"{self._part.value}.{self._what.value}"
+
+    def _refused(self) -> str:
+        """Why the formula is none, as HTML; empty if it is one, or there is none."""
+        if not self._formula.value.strip():
+            return ""
+        try:
+            find(self._chosen, self._session.scene)
+        except InputError as error:
+            return REFUSED.format(html.escape(f"{error}."))
+        return ""
 
     # --------------------------------------------------------------------- plots
     def _add_chosen(self) -> None:

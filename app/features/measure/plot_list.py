@@ -10,6 +10,7 @@ import viser
 
 from sim.errors import InputError
 from sim.scene.types import shown_name
+from sim.store import files
 
 from ...background import file_worker
 from ...session.notices import Notice
@@ -114,7 +115,7 @@ class _OpenPlot:
         self._page.mail.send(Melody(name=quantity.name, unit=quantity.unit, values=values))
 
     def _send(self, suffix: str, data: bytes) -> None:
-        name = f"{self._page.session.scene.name}-{self.plot.spec.names[0]}{suffix}"
+        name = f"{self._page.session.scene.name}-{files.safe_name(self.plot.spec.names[0])}{suffix}"
         self._page.client.send_file_download(name, data, save_immediately=True)
 
 

@@ -21,7 +21,7 @@ from ...ui import readouts
 from .phase import phase_svg
 
 _COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")
-_COLOR_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "ghost": "held"}
+_COLOR_OF = {"joint": "torque_plus", "spring": "pulled", "mass": "brand", "body": "brand", "ghost": "held"}
 """Colours by kind of part, as on the canvas; a second part of a kind gets the next free one of `_COLORS`."""
 
 _FONT = f"12px {FONT}"
@@ -193,7 +193,7 @@ def colors_of(plot: Plot, colors: Palette) -> list[str]:
 def _labelled(quantities: Sequence[sim.Quantity]) -> str:
     """Return the axis label of quantities of one or two units."""
     units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
-    if len(quantities) > 1:
+    if len(quantities) > 1 or quantities[0].formula:
         return _label(quantities, units)
     return f"{quantities[0].name}, {units}" if units else quantities[0].name
 
