@@ -334,6 +334,7 @@ ENERGY_NAMES = {
     "law": "made by the tutorial's law",
     "keys": "work of the keys",
     "muscles": "work of the muscles",
+    "motors": "work of the motors",
     "changes": "changes of settings",
     "fallbacks": "lost in fallback steps",
     "residual": "residual: the method's error",

@@ -14,7 +14,7 @@ from ..errors import SettingError
 from ..forces.muscles import swings
 from ..motion.moment import Moment
 from ..scene.columns import column
-from ..scene.parts import AngularSpring, JointMuscle, LinearSpring, Mass, Muscle, SpringMuscle
+from ..scene.parts import AngularSpring, JointMuscle, LinearSpring, Mass, Motor, Muscle, SpringMuscle
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
 from .build import angle_between, positions_of, wrapped_degrees
@@ -90,6 +90,11 @@ def _of_muscle(kind: Kind, muscle: type[Muscle], field: str, label: str, whole: 
     return Number(kind, f"muscle.{field}", label, unit, low, high, whole=whole)
 
 
+def _of_motor(field: str, label: str) -> Number:
+    low, high, unit = number_range(Motor, field)
+    return Number("angular_springs", f"motor.{field}", label, unit, low, high)
+
+
 NUMBERS = (
     _number("masses", "mass", "Mass"),
     _number("masses", "radius", "Radius"),
@@ -111,6 +116,8 @@ NUMBERS = (
     _of_muscle("angular_springs", JointMuscle, "amplitude", "Joint muscle amplitude"),
     _of_muscle("angular_springs", JointMuscle, "phase", "Joint muscle phase"),
     _of_muscle("angular_springs", JointMuscle, "per_beat", "Joint muscle waves per beat", whole=True),
+    _of_motor("speed", "Motor speed"),
+    _of_motor("torque", "Motor torque"),
 )
 """Every number that can be set for single parts."""
 
@@ -189,6 +196,8 @@ class Way:
         value = getattr(part, self.field)
         if self.field == "rail" and value:
             return max(self.values, key=lambda name: abs(np.dot(self.values[name], value)))
+        if self.field == "motor" and value:
+            return value.keys or "motor"
         return next((name for name, each in self.values.items() if value == each), "")
 
 
@@ -213,6 +222,18 @@ WAYS: dict[str, Way] = {
         *_ONLY,
         {"": "on both sides", "above": "above its angle only", "below": "below its angle only"},
         {"above": "above", "below": "below"},
+    ),
+    "turn": Way(
+        "angular_springs",
+        "turn",
+        "motor",
+        {
+            "": "freely",
+            "motor": "by a motor",
+            "left-right": "by a motor, with the keys Left and Right",
+            "up-down": "by a motor, with the keys Up and Down",
+        },
+        {"motor": Motor(), "left-right": Motor(keys="left-right"), "up-down": Motor(keys="up-down")},
     ),
 }
 """How parts can be set to act."""
@@ -243,10 +264,18 @@ def set_way(scene: Scene, way: Way, parts: Collection[int], name: str) -> Edit:
     every = getattr(scene, way.kind)
     refuse_missing(parts, len(every), _WORDS[way.kind])
     value = way.values.get(name, msgspec.UNSET)
-    new = [(i, msgspec.structs.replace(every[i], **{way.field: value})) for i in parts]
+    new = [(i, msgspec.structs.replace(every[i], **{way.field: _like(every[i], way, value)})) for i in parts]
     verb = way.verb if len(parts) > 1 else {"touch": "touches"}.get(way.verb, f"{way.verb}s")
     what = f"{counted(len(parts), _WORDS[way.kind])} {verb} {way.words[name]}"
     return Edit(what, msgspec.structs.replace(scene, **{way.kind: changed(every, new)}))
+
+
+def _like(part: Any, way: Way, value: Any) -> Any:
+    """Return a value for a part, a motor with the speed and torque that the part's motor has."""
+    old = getattr(part, way.field)
+    if way.field == "motor" and old and value:
+        return msgspec.structs.replace(old, keys=value.keys)
+    return value
 
 
 def scale_number(

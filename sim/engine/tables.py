@@ -132,7 +132,8 @@ class State(Table):
     air: Floats  # (slots,) air friction / mass, 1/px
     gx: Floats  # (slots,) acceleration due to gravity and the constant force on each mass, px/s²
     gy: Floats
-    clock: Floats  # (1,) time of the gusts and of the muscles, s
+    clock: Floats  # (1,) time of the gusts, of belts and of the muscles, s
+    steer: Floats  # (2,) 1 while Right is held, -1 while Left is, else 0; the same of Up and Down
     # Empty where nothing yields or breaks.
     set_length: Floats  # (S,) permanent changes of rest lengths, px
     set_angle: Floats  # (J,) permanent changes of rest angles, degrees
@@ -484,6 +485,7 @@ class Work(Record):
     law: float  # by a force law without an energy
     keys: float  # by keys that change rest lengths and rest angles
     muscles: float  # by muscles, which change them too
+    motors: float  # by motors
     fallbacks: float  # by fallback steps; negative or zero
     walls: float  # by friction on walls, the ground and in contact, and by bouncing; negative
     plastic: float  # by yielding; negative

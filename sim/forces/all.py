@@ -19,6 +19,7 @@ from .air import AIR, add_damping_of_still_air, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
 from .events import LARGEST_PART, UNSEEN
 from .fillings import FILLINGS
+from .motors import MOTORS
 from .one_sided import ONE_SIDED
 from .rails import RAILS, keep_on_rails
 from .resistance import RESISTANCE
@@ -28,7 +29,7 @@ from .term import SIGNATURES, Term
 from .touch.contact import CONTACT
 from .touch.walls import WALLS
 
-TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT, RAILS)
+TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT, MOTORS, RAILS)
 """The forces; each is added to those before it."""
 
 SURROUNDINGS = tuple(term for term in TERMS if term.field)

@@ -44,6 +44,7 @@ from .drive import wrap
 from .events import LARGEST_PART, UNSEEN, crossing, kink_fraction, peak
 from .fillings import FillingRow
 from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
+from .motors import stopped
 from .resistance import of_whole_springs
 from .touch.broad_phase import update_pairs
 from .touch.contact import energy_along_spring, energy_on
@@ -523,6 +524,8 @@ def without_broken(body: Body, broken: Floats) -> Body:
     environment, fillings = body.environment, body.environment.fillings
     if environment.contact.present:
         environment = environment.replaced(contact=environment.contact.replaced(broken=broken.copy()))
+    if environment.motors.joint.size:
+        environment = environment.replaced(motors=stopped(environment.motors, loose))
     if environment.resistance.rows.size:
         ends = np.stack((body.spring_a, body.spring_b), 1)
         whole = of_whole_springs(environment.resistance, ends, broken)

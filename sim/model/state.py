@@ -65,6 +65,7 @@ def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: 
         "torque_sin": (torques, 1),
         "torque_rest": (torques, 0),
         "clock": (1, 0),
+        "steer": (2, 0),
         "set_length": (springs, 0),
         "set_angle": (joints, 0),
         "hardened": (springs, 0),

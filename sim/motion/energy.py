@@ -32,6 +32,7 @@ class Energies:
         law: work of a force law that is not the gradient of an energy.
         keys: work of keys that change rest lengths and rest angles.
         muscles: work of muscles, which do so, too.
+        motors: work of motors.
         changes: energy added by changes of settings.
         fallbacks: energy added by fallback steps, which is negative or zero.
         residual: the sum of the energies minus its initial value and all of the above. This is the error of
@@ -50,6 +51,7 @@ class Energies:
     law: float
     keys: float
     muscles: float
+    motors: float
     changes: float
     fallbacks: float
     residual: float
@@ -104,6 +106,7 @@ class EnergyTracker:
             law=work.law,
             keys=work.keys,
             muscles=work.muscles,
+            motors=work.motors,
             changes=self._changes,
             fallbacks=work.fallbacks,
             residual=total - self._start - work.total - self._changes,

@@ -379,6 +379,7 @@ _ENERGY_SUMMARIES = {
     "law": "work of a law without an energy",
     "keys": "work of the arrow keys",
     "muscles": "work of the muscles",
+    "motors": "work of the motors",
     "changes": "energy change by changes of settings",
     "fallbacks": "energy change by fallback steps",
     "residual": "error of the energy balance",

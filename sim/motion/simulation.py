@@ -254,7 +254,15 @@ class Simulation:
         unknown = sorted(map(str, held - KEYS))
         if unknown:
             raise InputError(f"keys: {unknown[0]!r} is not one of up, down, left, right")
+        if held != self._keys and self._system.body.environment.motors.joint.size:
+            self._motion.begin_anew()
         self._keys = held
+        self._steer()
+
+    def _steer(self) -> None:
+        """Let motors know of the keys."""
+        keys = self._keys
+        self._state.steer[:] = ("right" in keys) - ("left" in keys), ("up" in keys) - ("down" in keys)
 
     def move(self, mass: int, to: tuple[float, float]) -> None:
         """Put a held mass somewhere at once; the forces of the next step find it there.
@@ -343,6 +351,8 @@ class Simulation:
             return 0
         if self.plain:
             self.take_compiled()
+        if self._keys:  # the state may be another since they were pressed
+            self._steer()
         rates = key_rates_of(self._scene, self._keys)
         outcome = self._motion.step(n, rates, limit)
         if outcome.status != guard.GOOD:

@@ -63,7 +63,7 @@ CAUSES = tuple(dict.fromkeys(cause for causes in _CAUSES for cause in causes))
 """All that can."""
 
 _COPIED = (
-    "q", "v", "controls", "clock", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
+    "q", "v", "controls", "clock", "steer", "inverse_mass", "set_length", "set_angle", "hardened", "broken",
     "wall_stretch", "wall_place", "wall_time", "wall_slides", "contact_start", "contact_mass",
     "contact_stretch",
 )  # fmt: skip

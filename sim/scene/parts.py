@@ -91,6 +91,24 @@ class JointMuscle(Muscle, frozen=True, kw_only=True):
     amplitude: Annotated[float, bounded(-180.0, 180.0, "°", "Amplitude of a joint's muscle")] = 20.0
 
 
+class Motor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
+    """Turns a joint's second spring against its first, with the torque `torque` tanh((speed - V') / slip) on
+    the second one at the rate V' of the joint's angle.
+
+    Attributes:
+        speed: -1e5..1e5 °/s, the rate at which the angle should grow.
+        torque: 0..1e18 kg px²/s², the largest torque.
+        slip: 1e-3..1e5 °/s, how far the rate is off where three quarters of the torque act.
+        keys: "left-right" for a motor that turns only while Right is held, or backwards while Left is;
+            "up-down" the same with Up and Down; omitted in files if it always turns.
+    """
+
+    speed: Annotated[float, bounded(-1e5, 1e5, "°/s", "Speed of a motor")] = 180.0
+    torque: Annotated[float, bounded(0.0, 1e18, "kg px²/s²", "Torque of a motor")] = 1e6
+    slip: Annotated[float, bounded(1e-3, 1e5, "°/s", "Slip of a motor")] = 20.0
+    keys: Literal["left-right", "up-down"] | msgspec.UnsetType = msgspec.UNSET
+
+
 class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A damped spring along the line from mass `a` to mass `b`.
 
@@ -149,6 +167,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
         muscle: the muscle that changes its rest angle; omitted in files if there is none.
         only: "above" for a stop, which acts only where V - rest_angle is between 0 and 180°, "below" for one
             that acts only where it is between -180° and 0; omitted in files if it acts on both sides.
+        motor: what turns it; omitted in files if nothing does.
     """
 
     a: Index
@@ -158,6 +177,7 @@ class AngularSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fi
     rest_angle: Angle = 0.0
     yield_torque: Annotated[float, bounded(0.0, 1e18, "kg px²/s²", "A torque")] | None = None
     muscle: JointMuscle | msgspec.UnsetType = msgspec.UNSET
+    motor: Motor | msgspec.UnsetType = msgspec.UNSET
     only: Literal["above", "below"] | msgspec.UnsetType = msgspec.UNSET
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from msgspec.structs import fields, replace
 
 from sim import Scene, Simulation
+from sim.scene.parts import Motor
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import Damage, Method
 from tests.sim.arrays import Arrays, Floats
@@ -101,7 +102,8 @@ TOUCHING[ALONE] = ("girder", CONSTANT)
 ONE_SIDED = "springs and joints of one side"
 
 ON_RAILS = "girder on rails in walls and a medium, with a gas"
-AROUND = [*KINDS, *TOUCHING, ONE_SIDED, ON_RAILS]
+MOTORISED = "girder of motors"
+AROUND = [*KINDS, *TOUCHING, ONE_SIDED, ON_RAILS, MOTORISED]
 
 
 def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
@@ -115,6 +117,11 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
             with_springs(scene, only=lambda i, _: ("pull", "push", msgspec.UNSET)[i % 3]),
             only=[("above", "below", msgspec.UNSET)[i % 3] for i in range(len(scene.angular_springs))],
         )
+    if kind == MOTORISED:
+        scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
+        motors = [Motor(speed=90.0, torque=2e5, slip=300.0), Motor(speed=-200.0, torque=5e4, slip=500.0)]
+        joints = scene.angular_springs
+        return with_joints(scene, motor=[(*motors, msgspec.UNSET)[i % 3] for i in range(len(joints))])
     if kind == ON_RAILS:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
         rails = {0: (1.0, 0.3), 3: (0.0, 2.0), 6: (1.0, -1.0)}
@@ -142,7 +149,7 @@ def bare(scene: Scene) -> Scene:
     scene = replace(
         scene, masses=tuple(replace(mass, solid=msgspec.UNSET, rail=msgspec.UNSET) for mass in scene.masses)
     )
-    scene = with_joints(with_springs(scene, only=msgspec.UNSET), only=msgspec.UNSET)
+    scene = with_joints(with_springs(scene, only=msgspec.UNSET), only=msgspec.UNSET, motor=msgspec.UNSET)
     return replace(scene, **{each.name: each.default for each in fields(Scene) if each.name in added})
 
 

@@ -79,8 +79,8 @@ def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
 
 _YIELD_FORCE = number("linear_springs", "yield_force")
 _ALL = (*STARTS, *NUMBERS)
-_OF_MUSCLES = tuple(of for of in NUMBERS if of.field.startswith("muscle."))
-"""Their boxes are created when a muscle is selected for the first time."""
+_OF_MUSCLES = tuple(of for of in NUMBERS if "." in of.field)
+"""Of muscles and motors; their boxes are created when one is selected for the first time."""
 
 
 def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
@@ -204,6 +204,7 @@ _WAY_BOXES: tuple[tuple[str, str, str], ...] = (
     ("move", "Masses move", "a mass on a rail moves along it only, as a cart does"),
     ("springs", "Springs act", _ONE_SIDED),
     ("joints", "Joints act", _ONE_SIDED),
+    ("turn", "Joints turn", "a motor turns the second spring of a joint against the first"),
 )
 _MIXED = "mixed"
 """What a choice shows where the selected parts act in several ways."""

@@ -16,6 +16,7 @@ from app.classroom.live import SharedView
 from app.classroom.plotted import Plotted
 from sim.compiling.compiler import Compiler
 from sim.errors import InputError, SettingError
+from sim.forces.motors import is_steered
 from sim.scene.types import shown_name
 from sim.settings import CHOICES, Choice, Setting, setting_of
 
@@ -276,7 +277,7 @@ class ClassTab:
             playing=session.playing,
             speed=session.pacer.speed,
             offer=session.offer_back,
-            arrows=scene.arrow_keys is not None and "keys" in self._controls,
+            arrows=(scene.arrow_keys is not None or is_steered(scene)) and "keys" in self._controls,
             controls=self._names,
         )
 
