@@ -27,7 +27,7 @@ from tests.sim.arrays import Arrays, Floats
 from tests.sim.builders import built, hoop
 from tests.sim.changes import apart, posed, with_springs
 from tests.sim.inside import problem_of, solver_of
-from tests.sim.surrounded import KINDS, TOUCHING, around, bare, run, surrounded
+from tests.sim.surrounded import BROKEN, KINDS, TOUCHING, around, bare, run, surrounded
 from tests.sim.touching import SOFT
 
 FLOOR = Wall(point=(0.0, 0.0), normal=(0.0, -1.0), friction=0.0, bounciness=1.0)
@@ -200,7 +200,11 @@ def test_every_method_comes_to_the_same_place(
 
 
 IN_BALANCE = [*KINDS, *(kind for kind in TOUCHING if kind.startswith("girder"))]
-BALANCED = product(["auto", "adams", "rodas5p", "rk4", "velocity_verlet"], IN_BALANCE)
+BALANCED = [
+    (method, kind)
+    for method, kind in product(["auto", "adams", "rodas5p", "rk4", "velocity_verlet"], IN_BALANCE)
+    if (method, kind) != ("rodas5p", BROKEN)  # which takes minutes
+]
 
 
 @pytest.mark.parametrize(("method", "kind"), part_of([*BALANCED], 5))
