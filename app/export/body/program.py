@@ -17,6 +17,7 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.forces.all import TERMS
+from sim.forces.one_sided import is_one_sided
 from sim.forces.touch.walls import WallRow
 from sim.scene.columns import is_set_in_any
 from sim.scene.parts import JointMuscle, SpringMuscle
@@ -51,7 +52,7 @@ LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs and live files know."""
 
 TERMS_IN_PROGRAMS = frozenset(
-    ("linear", "angular", "air friction", "resistance", "walls", "fillings", "contact")
+    ("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact")
 )
 """The names of the forces that they know, or refuse by themselves."""
 
@@ -108,8 +109,10 @@ class Plan:
             "RESISTED": medium or ground,
             "HELD": bool(body.held.any()),
             "SPRINGS": len(body.ends) > 0,
+            "SPRING_SIDES": bool(body.spring_side.any()),
             "DAMPING": damped,
             "JOINTS": len(body.joints) > 0,
+            "JOINT_SIDES": bool(body.joint_side.any()),
             "JOINT_DAMPING": joints_damped,
             "RATES": damped or joints_damped,
             "ANGLE_LAW": law == "angle",
@@ -141,8 +144,12 @@ class Plan:
         joints += [rest] if has["HAS_ANGLE_LAW"] else [np.cos(rest), np.sin(rest)]
         if has["HAS_HELD"]:
             masses.append(body.held.astype(int))
+        if has["HAS_SPRING_SIDES"]:
+            springs.append(body.spring_side)
         if has["HAS_DAMPING"]:
             springs.append(body.damping)
+        if has["HAS_JOINT_SIDES"]:
+            joints.append(body.joint_side)
         if has["HAS_JOINT_DAMPING"]:
             joints.append(body.joint_damping)
         walls = [*body.walls.T[:_HYSTERESIS]]
@@ -386,11 +393,20 @@ def _notes(body: Body) -> list[str]:
 
 
 def largest_step(body: Body) -> float:
-    """The largest stable time step of the body as it is, by symplectic Euler, s."""
+    """The largest stable time step of the body as it is, by symplectic Euler, s.
+
+    Springs and joints that act on one side count, since they may act soon.
+    """
     soft = body.scene.integrator.method == "stable_spring"
     method: Method = "stable_spring" if soft else "symplectic_euler"
     integrator = msgspec.structs.replace(body.scene.integrator, method=method)
     scene = msgspec.structs.replace(body.scene, integrator=integrator)
+    if is_one_sided(scene):
+        parts = {
+            name: tuple(msgspec.structs.replace(part, only=msgspec.UNSET) for part in getattr(scene, name))
+            for name in ("linear_springs", "angular_springs")
+        }
+        scene = msgspec.structs.replace(scene, bodies=(), links=(), **parts)
     simulation = sim.Simulation(scene)
     simulation.restore(dataclasses.replace(body.moment, scene=scene))
     simulation.stability()
