@@ -60,8 +60,8 @@ class Body:
         stiffness, damping, rest_length: (S,) kg/s², kg/s, px.
         joints: (J, 2) linear springs of each joint.
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
-        spring_side, joint_side: (S,) and (J,) 1 for a part that acts only beyond its rest length or rest angle,
-            -1 for one that acts only below it, 0 for one that acts on both sides.
+        spring_side, joint_side: (S,) and (J,) 1 for a part that acts only beyond its rest length or angle, -1
+            for one that acts only below it, 0 for one that acts on both sides.
         broken: (S,) whether a linear spring is broken.
         walls: (W, 12) rows as in `sim.forces.touch.walls`.
         wind: of the mean wind, px/s.
