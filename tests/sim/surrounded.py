@@ -111,10 +111,14 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
     """
     if kind == ONE_SIDED:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
-        return with_joints(
+        scene = with_joints(
             with_springs(scene, only=lambda i, _: ("pull", "push", msgspec.UNSET)[i % 3]),
             only=[("above", "below", msgspec.UNSET)[i % 3] for i in range(len(scene.angular_springs))],
         )
+        # A knee: two springs with a stop on either side.
+        first = scene.angular_springs[0]
+        stop = replace(first, a=first.b, b=first.a, rest_angle=40.0 - first.rest_angle, only="above")
+        return replace(scene, angular_springs=(*scene.angular_springs, stop))
     if kind == ON_RAILS:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
         rails = {0: (1.0, 0.3), 3: (0.0, 2.0), 6: (1.0, -1.0)}
