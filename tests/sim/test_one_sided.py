@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -150,3 +151,17 @@ def test_keep_shape_gives_a_slack_rope_nothing_to_bear() -> None:
 def test_a_file_has_it_and_a_spring_of_both_sides_has_nothing_in_it() -> None:
     assert decode_scene(encode_scene(ROPE), "it") == ROPE
     assert b"only" not in encode_scene(replace(sim.rope(masses=4), bodies=()))
+
+
+def test_steps_bear_ropes_that_are_slack_and_stops_that_are_not_reached() -> None:
+    limit = sim.Simulation(by(ROPE, "symplectic_euler")).stability().limit
+    assert limit == pytest.approx(2.0 / math.sqrt(200.0), rel=0.01)
+    stop = by(stopped("above", 1000.0), "symplectic_euler")
+    (joint,) = stop.angular_springs
+    stiff = replace(joint, stiffness=1e7)
+    at_rest = replace(stiff, rest_angle=-90.0, only=msgspec.UNSET)
+    limits = [
+        sim.Simulation(replace(stop, angular_springs=(one,))).stability().limit for one in (stiff, at_rest)
+    ]
+    assert limits[0] == pytest.approx(limits[1], rel=0.01)
+    assert limits[0] < 0.7 * sim.Simulation(stop).stability().limit

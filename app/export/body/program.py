@@ -17,7 +17,6 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.forces.all import TERMS
-from sim.forces.one_sided import is_one_sided
 from sim.forces.touch.walls import WallRow
 from sim.scene.columns import is_set_in_any
 from sim.scene.parts import JointMuscle, SpringMuscle
@@ -393,20 +392,11 @@ def _notes(body: Body) -> list[str]:
 
 
 def largest_step(body: Body) -> float:
-    """The largest stable time step of the body as it is, by symplectic Euler, s.
-
-    Springs and joints that act on one side count, since they may act soon.
-    """
+    """The largest stable time step of the body as it is, by symplectic Euler, s."""
     soft = body.scene.integrator.method == "stable_spring"
     method: Method = "stable_spring" if soft else "symplectic_euler"
     integrator = msgspec.structs.replace(body.scene.integrator, method=method)
     scene = msgspec.structs.replace(body.scene, integrator=integrator)
-    if is_one_sided(scene):
-        parts = {
-            name: tuple(msgspec.structs.replace(part, only=msgspec.UNSET) for part in getattr(scene, name))
-            for name in ("linear_springs", "angular_springs")
-        }
-        scene = msgspec.structs.replace(scene, bodies=(), links=(), **parts)
     simulation = sim.Simulation(scene)
     simulation.restore(dataclasses.replace(body.moment, scene=scene))
     simulation.stability()
