@@ -176,7 +176,7 @@ def ghost(sketch: Sketch, picture: Picture) -> Instances:
 
 
 def deviations(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Floats:
-    """(J,) how far each joint is off its rest angle, degrees in (-180, 180].
+    """(J,) how far each joint is off its rest angle, degrees in (-180, 180]; 0 where a stop does not act.
 
     Args:
         sketch: of the scene.
@@ -190,7 +190,10 @@ def deviations(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Floats:
     _, turn = _swings(sketch, picture)
     rest = rest_angles + picture.rest_angle_shift + turn + (np.array(moved) if moved else 0.0)
     off = np.degrees(np.arctan2(cross, dot)) - rest
-    return off - 360.0 * np.ceil((off - 180.0) / 360.0)
+    off -= 360.0 * np.ceil((off - 180.0) / 360.0)
+    stops, sides = sketch.stops.T
+    off[stops] = np.where(sides * off[stops] < 0.0, 0.0, off[stops])
+    return off
 
 
 def wedges(sketch: Sketch, picture: Picture, rest_angles: Floats) -> Instances:

@@ -92,7 +92,7 @@ export function toWorld(plan, positions) {
 }
 
 /**
- * Deviations of joints from their rest angles, degrees in (-180, 180].
+ * Deviations of joints from their rest angles, degrees in (-180, 180]; 0 where a stop does not act.
  *
  * @param {Plan} plan
  * @param {Float32Array} positions px
@@ -101,7 +101,7 @@ export function toWorld(plan, positions) {
  * @param {Float64Array} [turn] degrees that muscles add to each
  */
 export function deviations(plan, positions, shift, damage = UNHARMED, turn) {
-  const { springs, joints, restAngle } = plan;
+  const { springs, joints, restAngle, stops } = plan;
   const result = new Float64Array(restAngle.length);
   /** @param {number} spring @returns {[number, number]} */
   const vector = (spring) => {
@@ -114,6 +114,7 @@ export function deviations(plan, positions, shift, damage = UNHARMED, turn) {
     const angle = (Math.atan2(ax * by - ay * bx, ax * bx + ay * by) * 180) / Math.PI;
     result[j] = wrapped(angle - restAngle[j] - shift - (damage.setAngle[j] ?? 0) - (turn?.[j] ?? 0));
   }
+  for (let k = 0; k < stops.length; k += 2) if (stops[k + 1] * result[stops[k]] < 0) result[stops[k]] = 0;
   return result;
 }
 

@@ -145,6 +145,7 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         rails=sketch.rails,
         ropes=sketch.ropes,
         buffers=sketch.buffers,
+        stops=sketch.stops,
         loads=sketch.loads,
         muscles=(*sketch.beat, *sketch.muscles.ravel()) if muscles else (),
         muscle_colors=muscle_colors(sketch) if muscles else (),

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from sim import Scene
 from sim.forces.environment import is_surrounded, new_environment
+from sim.forces.one_sided import SIDES
 from sim.forces.rails import has_rails
 from sim.scene.columns import column, ends, has_any
 from sim.scene.types import is_loaded
@@ -120,6 +121,7 @@ class Sketch:
         beat: frequency (Hz) and phase (degrees) of the beat.
         rails: (k, 4) for each mass on a rail: where it starts, px, and a unit vector across the rail.
         ropes, buffers: indices of the springs that only pull, and only push.
+        stops: (k, 2) for each joint that acts on one side: its index, and 1 above or -1 below the rest angle.
         loads: (k, 3) for each constant force: index of the mass, and the arrow in the world.
     """
 
@@ -166,6 +168,9 @@ class Sketch:
             for side in ("pull", "push")
         )
         self.rails = _rails(scene)
+        self.stops = np.array(
+            [(j, SIDES[joint.only]) for j, joint in enumerate(scene.angular_springs) if joint.only], np.int64
+        ).reshape(-1, 2)
         self.muscles = _muscles(scene)
         self.beat = (scene.beat.frequency, scene.beat.phase) if scene.beat else (0.0, 0.0)
         self.thickness = self._spring_thickness()

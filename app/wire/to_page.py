@@ -119,6 +119,9 @@ class Plan(Numbers, frozen=True, kw_only=True):
         ),
         Section("ropes", "the springs that only pull"),
         Section("buffers", "the springs that only push"),
+        Section(
+            "stops", "of each joint that acts on one side which it is, and 1 above or -1 below its rest angle"
+        ),
         Section("loads", "of each constant force which mass it acts on, and its arrow, in the world"),
         Section(
             "muscles",

@@ -350,6 +350,7 @@ export type Layouts = {
     /** px, the distance at which contact begins; 0 where there is none */ contact: number;
     /** the springs that only pull */ ropes: Float32Array;
     /** the springs that only push */ buffers: Float32Array;
+    /** of each joint that acts on one side which it is, and 1 above or -1 below its rest angle */ stops: Float32Array;
     /** of each constant force which mass it acts on, and its arrow, in the world */ loads: Float32Array;
     /** frequency, Hz, and phase of the beat, and of each muscle what swing.js says; or nothing */ muscles: Float32Array;
     /** a table, from a muscle at its longest to one at its shortest */ muscleColors: Float32Array;

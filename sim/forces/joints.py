@@ -487,6 +487,12 @@ class JointsReference:
         torque, off = self._joint_trial_state(x, v)[2], self.deflections(x)
         return (self._sides == 0.0) | ((self._sides * off > 0.0) & (self._sides * torque > 0.0))
 
+    def brace(self, x: Vectors) -> None:
+        """See `Bracing`."""
+        off = self.deflections(x)
+        self.rest_angle = np.where(self._sides * off < 0.0, self.rest_angle + off, self.rest_angle)
+        self._sides = np.zeros_like(self._sides)
+
     def deflections(self, x: Vectors) -> Floats:
         """(k,) by how much the angle of each joint is larger than its rest angle, radians in (-pi, pi]."""
         springs = self._springs(x)

@@ -314,6 +314,11 @@ class OneSidedReference:
         slack, loose = ~self.springs.acting(x, v), ~self.joints.acting(x, v)
         return -self.springs.forces(x, v, slack) - self.joints.forces(x, v, loose)
 
+    def brace(self, x: Vectors) -> None:
+        """See `Bracing`; then there is nothing to take back."""
+        self.springs.brace(x)
+        self.joints.brace(x)
+
     def energy(self, x: Vectors) -> float:
         """See `Reference`; what does not act has none in those of springs and of joints."""
         return 0.0

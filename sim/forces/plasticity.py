@@ -43,7 +43,7 @@ from .all import accelerations
 from .drive import wrap
 from .events import LARGEST_PART, UNSEEN, crossing, kink_fraction, peak
 from .fillings import FillingRow
-from .joints import TUTORIAL, deflection_at, is_sine, joint_energy, joint_vectors, terms
+from .joints import TUTORIAL, deflection_at, is_loose, is_sine, joint_energy, joint_vectors, terms
 from .motors import stopped
 from .resistance import of_whole_springs
 from .touch.broad_phase import update_pairs
@@ -89,9 +89,11 @@ def _or_infinite(limits: Floats) -> Floats:
 # ------------------------------------------------------------------------- what yields, and by how much
 @kernel(forceinline=True, fastmath=FAST)
 def _trial_force(body, state, q, s):
-    """The force of a spring if it did not yield in this step, kg px/s²."""
+    """The force of a spring if it did not yield in this step, kg px/s²; 0 where one of one side is slack."""
     x, y = from_to(q, body.spring_a[s], body.spring_b[s])
-    return body.stiffness[s] * length_of(x, y, body.softening) - state.trial_tension[s]
+    force = body.stiffness[s] * length_of(x, y, body.softening) - state.trial_tension[s]
+    sides = body.environment.one_sided.spring_side
+    return 0.0 if sides.size > 0 and sides[s] * force < 0.0 else force
 
 
 @kernel(fastmath=FAST)
@@ -125,7 +127,7 @@ def _joint_trial_state(body, state, q, j):
 
     Returns:
         off: the deflection, radians.
-        limit: that at which it yields; infinite where it has no torque, or never as much.
+        limit: that at which it yields; infinite where it has no torque, or never as much, or is loose.
         kept: that to which it returns.
         lengths: |A||B|, px².
     """
@@ -135,6 +137,8 @@ def _joint_trial_state(body, state, q, j):
     (ax, ay), (bx, by) = joint_vectors(body, q, j)
     lengths = length_of(ax, ay, soft) * length_of(bx, by, soft)
     off = deflection(ax * by - ay * bx, ax * bx + ay * by, state.trial_angle[j])
+    if is_loose(body, j, off):
+        return 0.0, np.inf, 0.0, lengths
     torque = body.limits.bending[j] / (size * lengths)
     if is_sine(body.law):
         if torque >= 1.0:  # it never has that torque
@@ -296,7 +300,8 @@ def _spring_way(body, state, q, v, s):
     force = _trial_force(body, state, q, s)
     side = math.copysign(1.0, force)
     softness = body.stiffness[s] / (body.stiffness[s] + body.limits.hardening[s] + 1e-300)
-    return _beyond(body, state, s, force), side * softness * _lengthening(body, q, v, s), side
+    rate = side * softness * _lengthening(body, q, v, s) if force != 0.0 else 0.0
+    return _beyond(body, state, s, force), rate, side
 
 
 @kernel(forceinline=True, fastmath=FAST)
@@ -387,7 +392,8 @@ def _break_fraction(problem, s, q, v, to_q, to_v, to_a, h, unseen):
 def _strain(body, state, q, v, s):
     """How far the force of a spring is beyond its strength, kg px/s², its rate, and its sign."""
     limits, stiffness = body.limits, body.stiffness[s]
-    force, rate = _trial_force(body, state, q, s), stiffness * _lengthening(body, q, v, s)
+    force = _trial_force(body, state, q, s)
+    rate = stiffness * _lengthening(body, q, v, s) if force != 0.0 else 0.0
     moved = _plastic_increment(body, state, s, _beyond(body, state, s, force), force)
     side = math.copysign(1.0, force)
     if moved != 0.0:
@@ -476,7 +482,8 @@ def _settle_joint(problem, j, q, v, to_q, to_v, h):
     if state.broken[s] + state.broken[r] > 0.0:
         (ax, ay), (bx, by) = joint_vectors(body, to_q, j)
         rest = state.torque_rest[j + 1]
-        balance.work.broken -= size * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
+        if not is_loose(body, j, deflection(ax * by - ay * bx, ax * bx + ay * by, rest)):
+            balance.work.broken -= size * joint_energy(body.law, ax, ay, bx, by, rest, body.softening)
 
 
 def restore_committed(body: Body, state: State) -> None:

@@ -22,7 +22,7 @@ import numpy as np
 from ..engine.tables import Body, State
 from .all import TERMS, WITH_ENERGY
 from .rails import along_rails
-from .term import Sticking, Vectors
+from .term import Bracing, Sticking, Vectors
 
 
 class Physics:
@@ -57,6 +57,15 @@ class Physics:
     def energies(self, x: Vectors) -> dict[str, float]:
         """Energies of all forces that have one, kg px²/s², by their names."""
         return {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
+
+    def brace(self, x: Vectors) -> None:
+        """Let springs and joints of one side act on both, since they may soon act.
+
+        Those that do not act at positions x (px) do so as if at rest there.
+        """
+        for term in self.terms.values():
+            if isinstance(term, Bracing):
+                term.brace(x)
 
     def update_friction_history(self, x: Vectors, v: Vectors) -> None:
         """Update the tangential springs after a step to positions x with velocities v."""

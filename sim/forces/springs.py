@@ -186,6 +186,13 @@ class SpringsReference:
         """(k,) the force of each spring along itself, kg px/s²; positive where it pulls."""
         return np.where(self.acting(x, v), self._pulls(x, v), 0.0)
 
+    def brace(self, x: Vectors) -> None:
+        """See `Bracing`."""
+        slack = self._sides * self._pulls(x, np.zeros_like(x)) < 0.0
+        length = np.sqrt(abs(x[self._b] - x[self._a]) ** 2 + self._softening)
+        self.rest_tension = np.where(slack, self.stiffness * length, self.rest_tension)
+        self._sides = np.zeros_like(self._sides)
+
     def _pulls(self, x: Vectors, v: Vectors) -> Floats:
         """As `pulls`, as if all acted at both sides."""
         spring, per_length = self._tensions(x, v)

@@ -83,6 +83,15 @@ class Sticking(Protocol):
         ...
 
 
+@runtime_checkable
+class Bracing(Protocol):
+    """A `Reference` of springs or joints that may act on one side only."""
+
+    def brace(self, x: Vectors) -> None:
+        """Let all act on both sides; those that do not act at positions x (px), as if at rest there."""
+        ...
+
+
 @dataclass(frozen=True)
 class Term:
     """A force on masses, with all that the solver asks of it.

@@ -22,6 +22,9 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
   and so are the joints', as long as springs that share a joint keep the proportions of their rest lengths.
   So hardly any body has a limit.
 
+A rope that is slack and a stop that is not reached, see `sim.forces.one_sided`, count as if they were about
+to act, so that a step bears them when they do.
+
 What is left out: the change of K and C in the course of a step, and whatever a step does that is not small.
 Damage that is done later is not known either.
 
@@ -218,11 +221,17 @@ class StabilityMeter:
         return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit))
 
     def _physics(self, step: float) -> Physics:
-        """The forces of the probe. Walls and contact that soften do so for a step (s), 0 for the scene's."""
+        """The forces of the probe, with all ropes taut and all stops reached, since they may soon be.
+
+        Walls and contact that soften do so for a step (s), 0 for the scene's.
+        """
         body = self.system.body
         if self._softens and step:
             body = body.replaced(environment=body.environment.replaced(step=step))
-        return Physics(body, self._probe)
+        physics = Physics(body, self._probe)
+        if body.environment.one_sided.springs.size or body.environment.one_sided.joints.size:
+            physics.brace(self._flat(self._probe.q))
+        return physics
 
     def _estimate(
         self, physics: Physics, root: Floats, size: int

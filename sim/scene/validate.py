@@ -17,6 +17,7 @@ import msgspec
 from ..errors import SceneError
 from .lesson import StepRun, texts_of
 from .numbers import MAX_MASSES, MAX_SPRINGS, annotation_of, of_python
+from .parts import AngularSpring
 from .recipes.assembly import TooLarge
 from .recipes.recipe import expand
 from .sentences import difference, sentence, unit_of
@@ -266,7 +267,10 @@ def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
         p, q = linear[a], linear[b]
         if p.a != q.a and p.a != q.b and p.b != q.a and p.b != q.b:
             yield f"angular_springs[{j}]: springs {a} and {b} share no mass"
-        other = pairs.setdefault(_pair(a, b), j)
+        pair = _pair(a, b)
+        other = pairs.setdefault(pair, j)
+        if other != j and _are_opposite(joint, scene.angular_springs[other]):
+            other = pairs.setdefault(~pair, j)
         if other != j:
             yield f"angular_springs[{j}]: it holds springs {a} and {b}, as spring {other} does"
         if template is not None and joint.rest_angle != template:
@@ -274,6 +278,12 @@ def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
                 f"angular_springs[{j}].rest_angle: {joint.rest_angle:g} is not the scene's template, "
                 f"{template}"
             )
+
+
+def _are_opposite(joint: AngularSpring, other: AngularSpring) -> bool:
+    """Whether two joints of the same springs act on one side each, as the two stops of a knee do."""
+    sides = {joint.only, other.only}
+    return sides == {"above", "below"} if joint.a == other.a else sides in ({"above"}, {"below"})
 
 
 def _limit_problems(scene: Scene) -> Iterator[str]:

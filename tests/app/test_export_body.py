@@ -36,6 +36,7 @@ from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
+from tests.sim.surrounded import ONE_SIDED, around
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -140,6 +141,8 @@ FLOATING = changed(
     DAMPED, medium=sim.Medium(across=0.4, along=0.1), wind=sim.Wind(velocity=(80.0, -30.0)), air_friction=0.0
 )
 LYING = changed(MUSCULAR, gravity=(0.0, 0.0), ground=sim.Ground(forward=0.1, backward=0.5, sideways=0.9))
+ONE_SIDED_GIRDER = around(ONE_SIDED)
+"""Its springs and joints begin and end to act as it moves."""
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "rope": (sim.load_scene("tutorial-3.3"), ("rest_angle=25",)),
     "diagonal template": (sim.load_scene("tutorial-3.2"), ("template=135",)),
@@ -180,6 +183,14 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "a medium and the ground that do nothing": (
         changed(LYING, ground=sim.Ground(gravity=0.0), medium=sim.Medium(across=0.0, along=0.0)),
         (),
+    ),
+    **{
+        f"parts of one side, {words}": (ONE_SIDED_GIRDER, ("dt=0.0005", words))
+        for words in (*(f"force_law={law}" for law in LAWS_IN_PROGRAMS), "linear_damping=0")
+    },
+    "parts of one side, stable spring": (
+        ONE_SIDED_GIRDER,
+        ("method=stable_spring", "dt=0.0005", "linear_stiffness=1000000"),
     ),
     "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
 }
@@ -394,7 +405,7 @@ def test_a_program_has_only_what_the_scene_needs() -> None:
     bare = changed(sim.rope(masses=3, length=100.0, driven=None), air_friction=0.0, gravity=(0.0, 0.0))
     springs = tuple(changed(spring, damping=0.0) for spring in bare.linear_springs)
     body = body_of(changed(bare, linear_springs=springs, angular_springs=(), anchors=(), bodies=()))
-    words = ("AIR", "GRAVITY", "wall", "WALLS", "joint", "Joint", "FREE", "damping", "pp")
+    words = ("AIR", "GRAVITY", "wall", "WALLS", "joint", "Joint", "FREE", "damping", "pp", "side", "SIDE")
     for text in map(bytes.decode, (python_program(body)[0], *c_program(body)[:2])):
         for word in words:
             assert word not in text.replace("stopped", "")
@@ -550,6 +561,31 @@ def test_muscles_are_in_json_and_tables_as_in_the_scene() -> None:
     for write in (python_program, c_program):
         assert b"uscle" not in write(plain)[0]
     assert '"muscles": null' in javascript_program(plain.moment)[0].decode()
+
+
+def test_the_sides_of_parts_are_in_json_and_tables_as_in_the_scene() -> None:
+    scene = ONE_SIDED_GIRDER
+    data, rows = json.loads(body_json(body_of(scene))), tables(scene)
+    for name, parts in (("springs", scene.linear_springs), ("joints", scene.angular_springs)):
+        sides = [part.only or None for part in parts]
+        assert len(set(sides)) == 3
+        assert data[name]["only"] == sides
+        assert [row["only"] or None for row in rows[name]] == sides
+    assert b"only" not in body_json(body_of(DAMPED))
+
+
+def test_a_step_bears_a_rope_that_is_slack_at_the_start(tmp_path: Path) -> None:
+    """It falls until the rope is taut, which the step of a body without a rope would not bear."""
+    falling = sim.Scene(
+        name="falling",
+        masses=(sim.Mass(position=(300.0, 100.0)), sim.Mass(position=(300.0, 110.0))),
+        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=1e7, rest_length=60.0, only="pull"),),
+        anchors=(sim.Anchor(mass=0),),
+        gravity=(0.0, 1000.0),
+    )
+    assert "the largest stable one, 0.000632 s" in " ".join(python_program(body_of(falling))[1])
+    for places in moved_by_programs(body_of(falling), tmp_path, 4000):
+        assert 100.0 < places[1, 1] < 161.0
 
 
 def test_json_has_all_that_a_scene_has_with_units() -> None:

@@ -20,7 +20,7 @@ from app.stage.shapes import COILS, meshes
 from app.stage.sketch import Floats, Sketch
 from sim.scene.types import Damage
 from tests.app.page_script import after, drawn
-from tests.sim.changes import with_springs
+from tests.sim.changes import with_joints, with_springs
 
 
 def pixel(image: Image.Image, window: Window, sketch: Sketch, place: Floats) -> np.ndarray:
@@ -39,6 +39,8 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
             only=lambda i, _: sides[i % 4],
             rest_length=lambda i, spring: spring.rest_length * (1.3 if i % 2 else 0.9),
         )
+        stops = ("above", "below", UNSET)
+        scene = with_joints(scene, only=lambda i, _: stops[i % 3])
     _, picture = after(scene, 120)
     count = len(scene.linear_springs)
     damage = Damage(broken=(1,), set_lengths=tuple(np.linspace(-2.0, 2.0, count)))
@@ -46,6 +48,8 @@ def test_parts_lie_where_the_page_draws_them(name: str) -> None:
     picture = replace(picture, damage=damage, ghost=ghost, ghost_broken=(0,), rest_angle_shift=5.0)
     nodes = drawn(scene, picture)
     sketch = Sketch(scene, palette(scene.view.colors, dark=False))
+    loose = [a == 0.0 for a in nodes["deviations"][sketch.stops[:, 0]]]
+    assert len(set(loose)) == (2 if name.endswith(" of ropes") else 0)
     rest = np.array([joint.rest_angle for joint in scene.angular_springs])
     found = {
         "springs": instances.springs(sketch, picture),
@@ -171,7 +175,7 @@ def test_constant_forces_are_arrows_in_pictures_and_in_the_plan(
     while len(plan):
         sections.append(plan[1 : 1 + int(plan[0])])
         plan = plan[1 + int(plan[0]) :]
-    assert len(sections) == 22
+    assert len(sections) == 23
     down = -0.6 if y_down else 0.6
     assert sections[-1] == pytest.approx([0.0, 0.0, down, 2.0, -0.18, 0.0], abs=1e-6)
 

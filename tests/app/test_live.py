@@ -15,6 +15,7 @@ import pytest
 from msgspec.structs import replace
 
 import sim
+from app.export.body.program import LAWS_IN_PROGRAMS
 from app.export.live.data import body_data
 from app.export.live.lesson import MEASURED
 from app.export.live.live import live_html
@@ -26,7 +27,9 @@ from tests.amount import NIGHT, part_of
 from tests.app.command import Softrod
 from tests.app.html_pages import held
 from tests.page.check import FOLDER, NODE
+from tests.sim.changes import with_joints, with_springs
 from tests.sim.fuzzing import wild_scene, wild_world, with_muscles
+from tests.sim.surrounded import ONE_SIDED, around
 
 STEPS = 400
 CLOSE = 1e-9
@@ -140,6 +143,43 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
             assert script["setLength"] == pytest.approx(np.array(damage.set_lengths), abs=1e-9), seed
     assert compared >= (40 if NIGHT else 4)
     assert broke >= (10 if NIGHT else 1)
+
+
+def test_springs_and_joints_of_one_side_act_as_in_the_solver() -> None:
+    measures = ["energy.linear", "energy.angular", *(f"spring{k}.force" for k in range(20)), "joint9.torque"]
+    for method in METHODS:
+        for law in LAWS_IN_PROGRAMS:
+            scene = replace(by(around(ONE_SIDED), method), force_law=law)
+            scene = replace(scene, integrator=replace(scene.integrator, dt=5e-4))
+            simulation = sim.Simulation(scene)
+            told = {"data": body_data(simulation.capture()), "method": METHODS[method], "h": 5e-4}
+            (script,) = run_script([told | {"count": STEPS, "measures": measures}])
+            simulation.step(STEPS)
+            off = np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max()
+            assert off < CLOSE, (method, law, off)
+            right = np.array([sim.quantity(one, scene).read(simulation) for one in measures])
+            assert script["measured"] == pytest.approx(right, rel=1e-6)
+            assert (right == 0.0).sum() > 3  # some let go
+
+
+def test_springs_and_joints_of_one_side_yield_and_break_where_they_act() -> None:
+    for method in METHODS:
+        scene = by(around(ONE_SIDED), method)
+        scene = with_springs(
+            scene,
+            yield_force=lambda s, _: 9e3 if s % 4 else None,
+            strength=lambda s, _: None if s % 4 else 3e4,
+        )
+        scene = with_joints(scene, yield_torque=1e6)
+        scene = replace(scene, integrator=replace(scene.integrator, dt=5e-4))
+        (script,) = by_script([scene], 150)
+        simulation = moved(scene, 150)
+        assert simulation.damage is not None
+        assert any(simulation.damage.set_lengths)
+        assert any(simulation.damage.set_angles)
+        assert np.flatnonzero(script["broken"]).tolist() == sorted(simulation.damage.broken) != []
+        assert script["setLength"] == pytest.approx(np.array(simulation.damage.set_lengths), abs=1e-9)
+        assert np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
 
 
 def test_what_sticks_sticks_as_in_the_solver() -> None:

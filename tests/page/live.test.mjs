@@ -39,6 +39,19 @@ test("a hand leads a mass no faster than a pull travels, and gets there", () => 
   assert.ok(!clock.exploded);
 });
 
+test("a rope that is slack limits steps as if it were taut", () => {
+  const rope = { ...chain(2, 1e6), gravity: [0, 1000], restLength: [60], sides: { springs: [1], joints: [] } };
+  const clock = new Clock(new Body(rope), "verlet", 0);
+  let farthest = 0;
+  for (let frame = 0; frame < 60; frame++) {
+    clock.go(1 / 60, [], STILL);
+    farthest = Math.max(farthest, Math.hypot(clock.body.positions[2], clock.body.positions[3]));
+  }
+  assert.ok(Math.abs(clock.meter.limit - 2 / Math.sqrt(1e6)) < 1e-6);
+  assert.ok(farthest > 50 && farthest < 61, String(farthest));
+  assert.deepEqual([...clock.body.sides.springs], [1]);
+});
+
 test("masses that are held have no energy of height", () => {
   const body = new Body({ ...chain(2, 400), gravity: [0, 10], positions: [0, 50, 20, 5] });
   assert.equal(energies(body).height, -50);

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from sim import Scene, Simulation
 from sim.engine import kept
 from sim.engine.tables import Adams, Floats, PrescribedMotion, Problem, Rosenbrock, Scratch
+from sim.forces.one_sided import OneSidedReference, is_one_sided
 from sim.forces.runs import add_spring_forces
 from sim.model.system import System
 from sim.motion.plain import PlainSolver
@@ -121,7 +122,12 @@ def spring_forces(simulation: Simulation) -> Points:
     scratch.fx[:], scratch.fy[:] = 0.0, 0.0
     add_spring_forces(simulation._system.body, state, scratch, state.q, state.v)
     index = simulation._system.mass_index
-    return np.column_stack((scratch.fx[index], scratch.fy[index]))
+    found = np.column_stack((scratch.fx[index], scratch.fy[index]))
+    if is_one_sided(simulation.scene):
+        x, v = (flat[: state.slots] + 1j * flat[state.slots :] for flat in (state.q, state.v))
+        back = OneSidedReference(simulation._system.body, state).forces(x, v)[index]
+        found += np.column_stack((back.real, back.imag))
+    return found
 
 
 def forces_of(scene: Scene) -> Points:

@@ -8,7 +8,8 @@ import msgspec
 import numpy as np
 from msgspec.structs import fields, replace
 
-from sim import Scene, Simulation
+from sim import AngularSpring, Scene, Simulation
+from sim.edit.build import wrapped_degrees
 from sim.scene.parts import Motor
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 from sim.scene.types import Damage, Method
@@ -113,10 +114,15 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
     """
     if kind == ONE_SIDED:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
-        return with_joints(
+        scene = with_joints(
             with_springs(scene, only=lambda i, _: ("pull", "push", msgspec.UNSET)[i % 3]),
             only=[("above", "below", msgspec.UNSET)[i % 3] for i in range(len(scene.angular_springs))],
         )
+        # A knee: two springs with a stop on either side.
+        first = scene.angular_springs[0]
+        rest_angle = wrapped_degrees(40.0 - first.rest_angle)
+        stop = replace(first, a=first.b, b=first.a, rest_angle=rest_angle, only="above")
+        return replace(scene, angular_springs=(*scene.angular_springs, stop))
     if kind == MOTORISED:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
         motors = [Motor(speed=90.0, torque=2e5, slip=300.0), Motor(speed=-200.0, torque=5e4, slip=500.0)]
@@ -144,11 +150,18 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
 
 
 def bare(scene: Scene) -> Scene:
-    """The scene without anything that surrounds or touches the body, whose parts act on both sides."""
+    """The scene without anything that surrounds or touches the body, whose parts act on both sides.
+
+    Of two joints of the same springs, the first.
+    """
     added = {name for kind in KINDS.values() for name in kind} | {"contact"}
     scene = replace(
         scene, masses=tuple(replace(mass, solid=msgspec.UNSET, rail=msgspec.UNSET) for mass in scene.masses)
     )
+    joints: dict[frozenset[int], AngularSpring] = {}
+    for joint in scene.angular_springs:
+        joints.setdefault(frozenset((joint.a, joint.b)), joint)
+    scene = replace(scene, bodies=(), links=(), angular_springs=(*joints.values(),))
     scene = with_joints(with_springs(scene, only=msgspec.UNSET), only=msgspec.UNSET, motor=msgspec.UNSET)
     return replace(scene, **{each.name: each.default for each in fields(Scene) if each.name in added})
 

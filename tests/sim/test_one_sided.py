@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -13,6 +14,7 @@ from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.types import Integrator, Method
 from sim.store.files import decode_scene, encode_scene
 from tests.sim.changes import after, by
+from tests.sim.checks import known
 
 G = (0.0, 1000.0)
 ROPE = Scene(
@@ -150,3 +152,37 @@ def test_keep_shape_gives_a_slack_rope_nothing_to_bear() -> None:
 def test_a_file_has_it_and_a_spring_of_both_sides_has_nothing_in_it() -> None:
     assert decode_scene(encode_scene(ROPE), "it") == ROPE
     assert b"only" not in encode_scene(replace(sim.rope(masses=4), bodies=()))
+
+
+def test_what_does_not_act_neither_breaks_nor_yields() -> None:
+    """A slack rope, until it is taut; a buffer and a stop that would yield on their other sides."""
+    weak = replace(ROPE.linear_springs[0], strength=3000.0)
+    simulation = sim.Simulation(replace(ROPE, linear_springs=(weak,)))
+    simulation.advance(0.4)
+    assert simulation.damage is None
+    simulation.advance(0.4)
+    assert known(simulation.damage).broken == (0,)
+    assert abs(simulation.energy().residual) < 1e-3 * 1000.0 * LOWEST
+    buffer = LinearSpring(a=0, b=1, stiffness=200.0, rest_length=50.0, only="push", yield_force=100.0)
+    far = (ROPE.masses[0], Mass(position=(0.0, 90.0)))
+    thrown = sim.Simulation(replace(ROPE, masses=far, linear_springs=(buffer,)))
+    (joint,) = stopped("below", 0.0).angular_springs
+    loose = replace(joint, only="above", yield_torque=1000.0)
+    stop = sim.Simulation(replace(stopped("above", 0.0), angular_springs=(loose,)))
+    for still in (thrown, stop):
+        still.advance(0.1)
+        assert still.damage is None or not any((*still.damage.set_lengths, *still.damage.set_angles))
+
+
+def test_steps_bear_ropes_that_are_slack_and_stops_that_are_not_reached() -> None:
+    limit = sim.Simulation(by(ROPE, "symplectic_euler")).stability().limit
+    assert limit == pytest.approx(2.0 / math.sqrt(200.0), rel=0.01)
+    stop = by(stopped("above", 1000.0), "symplectic_euler")
+    (joint,) = stop.angular_springs
+    stiff = replace(joint, stiffness=1e7)
+    at_rest = replace(stiff, rest_angle=-90.0, only=msgspec.UNSET)
+    limits = [
+        sim.Simulation(replace(stop, angular_springs=(one,))).stability().limit for one in (stiff, at_rest)
+    ]
+    assert limits[0] == pytest.approx(limits[1], rel=0.01)
+    assert limits[0] < 0.7 * sim.Simulation(stop).stability().limit

@@ -62,6 +62,7 @@ BODY = Scene(
 ROPE = Scene(name="rope", bodies=(Rope(masses=4, driven=0, circle=Circle(radius=5.0)),))
 
 
+STOP = AngularSpring(a=0, b=1, stiffness=1.0, only="above")
 AROUND = replace(
     with_joints(with_springs(BODY, strength=9.0, yield_force=8.0, hardening=1.0), yield_torque=50.0),
     fillings=(
@@ -181,6 +182,14 @@ RULES: list[tuple[Scene, str]] = [
     ),
     (
         replace(BODY, angular_springs=(*BODY.angular_springs, AngularSpring(a=1, b=0, stiffness=1.0))),
+        r"angular_springs\[1\]: it holds springs 1 and 0, as spring 0 does",
+    ),
+    (
+        replace(BODY, angular_springs=(STOP, replace(STOP, only="below"), replace(STOP, rest_angle=20.0))),
+        r"angular_springs\[2\]: it holds springs 0 and 1, as spring 0 does",
+    ),
+    (
+        replace(BODY, angular_springs=(STOP, AngularSpring(a=1, b=0, stiffness=1.0, only="below"))),
         r"angular_springs\[1\]: it holds springs 1 and 0, as spring 0 does",
     ),
     (replace(BODY, template=45), r"angular_springs\[0\]\.rest_angle: 90 is not the scene's template, 45"),

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 import sim
+from sim import AngularSpring, LinearSpring
 from sim.errors import InputError
+from sim.forces.one_sided import SIDES
 from sim.forces.plasticity import leaking
 from sim.forces.touch.walls import WallRow
 from sim.model.stable_spring import clamp_stiffness
@@ -57,6 +60,8 @@ class Body:
         stiffness, damping, rest_length: (S,) kg/s², kg/s, px.
         joints: (J, 2) linear springs of each joint.
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
+        spring_side, joint_side: (S,) and (J,) 1 for a part that acts only beyond its rest length or angle, -1
+            for one that acts only below it, 0 for one that acts on both sides.
         broken: (S,) whether a linear spring is broken.
         walls: (W, 12) rows as in `sim.forces.touch.walls`.
         wind: of the mean wind, px/s.
@@ -82,6 +87,8 @@ class Body:
     joint_stiffness: Floats
     joint_damping: Floats
     rest_angle: Floats
+    spring_side: Indices
+    joint_side: Indices
     broken: NDArray[np.bool_]
     walls: Floats
     wind: tuple[float, float]
@@ -145,6 +152,8 @@ class Body:
             joint_stiffness=np.where(unbent, joint_stiffness(scene), 0.0),
             joint_damping=np.where(unbent, [j.damping for j in joints], 0.0),
             rest_angle=180.0 - (180.0 - rest_angle) % 360.0,
+            spring_side=_sides(springs),
+            joint_side=_sides(joints),
             broken=broken,
             walls=np.array(environment.walls.rows)[:, : WallRow._fields.index("belt")],
             wind=(float(air.wind_x), float(air.wind_y)),
@@ -169,6 +178,10 @@ class Body:
             joint_stiffness=np.where(unbent, body.joint_stiffness[order], 0.0),
             joint_damping=np.where(unbent, body.torque_damping[1 + order], 0.0),
         )
+
+
+def _sides(parts: Sequence[LinearSpring] | Sequence[AngularSpring]) -> Indices:
+    return np.array([SIDES[part.only] if part.only else 0 for part in parts], np.int64)
 
 
 def _circles(moment: sim.Moment) -> dict[int, tuple[Circle, tuple[float, float]]]:

@@ -178,6 +178,7 @@ def _springs(body: Body) -> dict[str, Sequence[Any]]:
         values = [getattr(spring, name) for spring in body.scene.linear_springs]
         if any(values):
             columns[name] = values
+    columns |= _sides(body.scene.linear_springs)
     if body.broken.any():
         columns["broken"] = body.broken.astype(int).tolist()
     return columns
@@ -198,7 +199,13 @@ def _joints(body: Body) -> dict[str, Sequence[Any]]:
     torques = [joint.yield_torque for joint in body.scene.angular_springs]
     if any(torque is not None for torque in torques):
         columns["yield_torque"] = torques
-    return columns
+    return columns | _sides(body.scene.angular_springs)
+
+
+def _sides(parts: _Parts) -> dict[str, Sequence[Any]]:
+    """A column of the sides on which parts act, and None; nothing where all act on both."""
+    sides = [part.only or None for part in parts]
+    return {"only": sides} if any(sides) else {}
 
 
 def _muscles(parts: _Parts) -> dict[str, Sequence[Any]]:

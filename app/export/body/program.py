@@ -51,7 +51,7 @@ LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs and live files know."""
 
 TERMS_IN_PROGRAMS = frozenset(
-    ("linear", "angular", "air friction", "resistance", "walls", "fillings", "contact")
+    ("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact")
 )
 """The names of the forces that they know, or refuse by themselves."""
 
@@ -108,8 +108,10 @@ class Plan:
             "RESISTED": medium or ground,
             "HELD": bool(body.held.any()),
             "SPRINGS": len(body.ends) > 0,
+            "SPRING_SIDES": bool(body.spring_side.any()),
             "DAMPING": damped,
             "JOINTS": len(body.joints) > 0,
+            "JOINT_SIDES": bool(body.joint_side.any()),
             "JOINT_DAMPING": joints_damped,
             "RATES": damped or joints_damped,
             "ANGLE_LAW": law == "angle",
@@ -141,8 +143,12 @@ class Plan:
         joints += [rest] if has["HAS_ANGLE_LAW"] else [np.cos(rest), np.sin(rest)]
         if has["HAS_HELD"]:
             masses.append(body.held.astype(int))
+        if has["HAS_SPRING_SIDES"]:
+            springs.append(body.spring_side)
         if has["HAS_DAMPING"]:
             springs.append(body.damping)
+        if has["HAS_JOINT_SIDES"]:
+            joints.append(body.joint_side)
         if has["HAS_JOINT_DAMPING"]:
             joints.append(body.joint_damping)
         walls = [*body.walls.T[:_HYSTERESIS]]

@@ -57,6 +57,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "jointStiffness": system.body.joint_stiffness[system.joint_order].tolist(),
         "jointDamping": [j.damping for j in scene.angular_springs],
         "restAngle": (180.0 - (180.0 - rest_angle) % 360.0).tolist(),
+        "sides": _sides(body),
         "broken": np.flatnonzero(body.broken).tolist(),
         "walls": body.walls.tolist(),
         "fillings": [
@@ -75,6 +76,12 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "grips": _grips(moment.grips),
         "muscles": _muscles(body),
     }
+
+
+def _sides(body: Body) -> dict[str, list[int]] | None:
+    if not (body.spring_side.any() or body.joint_side.any()):
+        return None
+    return {"springs": body.spring_side.tolist(), "joints": body.joint_side.tolist()}
 
 
 def _contact(system: System) -> dict[str, Any] | None:

@@ -10,8 +10,8 @@ GIVEN_GRAVITY_X, GIVEN_GRAVITY_Y, GIVEN_WIND_X, GIVEN_WIND_Y = 0.0, 900.0, 10.0,
 GIVEN_ACROSS, GIVEN_ALONG = 1.0, 0.5
 GIVEN_FORWARD, GIVEN_BACKWARD, GIVEN_SIDEWAYS, GIVEN_SLIP = 0.2, 0.3, 0.4, 10.0
 GIVEN_MASSES = [(0.0, 0.0, 0.0, 0.0, 1.0, 0)]
-GIVEN_SPRINGS = [(0, 0, 1.0, 1.0, 0.0)]
-GIVEN_JOINTS = [(0, 0, 1.0, 1.0, 0.0, 0.0)]
+GIVEN_SPRINGS = [(0, 0, 1.0, 1.0, 0, 0.0)]
+GIVEN_JOINTS = [(0, 0, 1.0, 1.0, 0.0, 0, 0.0)]
 GIVEN_LOADS = [(0, 0.0, 0.0)]
 GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
@@ -50,6 +50,9 @@ FREE = MASSES[:, 5:6] == 0  # the last number is 1 where a mass is held
 SPRINGS = np.array(GIVEN_SPRINGS)
 A, B = SPRINGS[:, :2].astype(int).T  # masses at the ends of each spring
 K, REST = SPRINGS[:, 2:4].T  # stiffness (kg/s^2), rest length (px)
+# ifdef HAS_SPRING_SIDES
+SIDE = SPRINGS[:, 4]  # 1: it only pulls; -1: it only pushes; 0: both
+# endif
 # ifdef HAS_DAMPING
 C = SPRINGS[:, -1]  # damping, kg/s
 # endif
@@ -61,8 +64,14 @@ P, Q = JOINTS[:, :2].astype(int).T  # springs of each joint
 JOINT_K = JOINTS[:, 2]  # stiffness, kg/s^2
 # ifdef HAS_ANGLE_LAW
 REST_ANGLE = JOINTS[:, 3]  # radians
+# ifdef HAS_JOINT_SIDES
+JOINT_SIDE = JOINTS[:, 4]  # 1: it acts above its rest angle only; -1: below it only; 0: both
+# endif
 # else
 COS, SIN = JOINTS[:, 3:5].T  # of the rest angle
+# ifdef HAS_JOINT_SIDES
+JOINT_SIDE = JOINTS[:, 5]  # 1: it acts above its rest angle only; -1: below it only; 0: both
+# endif
 # endif
 # ifdef HAS_JOINT_DAMPING
 JOINT_C = JOINTS[:, -1]  # damping, kg/s
@@ -205,6 +214,11 @@ def accelerations(x, v):
     # ifdef HAS_DAMPING
     pull -= C * (spring * rate).sum(1) / length
     # endif
+    # ifdef HAS_SPRING_SIDES
+    # One of one side exerts nothing on the other, and damping does not turn its force round.
+    acts = (SIDE * K * (length - REST) > 0.0) & (SIDE * pull < 0.0)
+    pull[(SIDE != 0.0) & ~acts] = 0.0
+    # endif
     on_b = spring * (pull / length)[:, None]  # the force on mass b; minus it acts on a
     # endif
     # ifdef HAS_JOINTS
@@ -226,6 +240,18 @@ def accelerations(x, v):
     # ifdef HAS_JOINT_DAMPING
     turning = (spring[:, 0] * rate[:, 1] - spring[:, 1] * rate[:, 0]) / length**2
     torque += JOINT_C * length[P] * length[Q] * (turning[Q] - turning[P])
+    # endif
+    # ifdef HAS_JOINT_SIDES
+    # One of one side exerts nothing on the other, and damping does not turn its torque round.
+    # ifdef HAS_ANGLE_LAW
+    acts = (JOINT_SIDE * off > 0.0) & (JOINT_SIDE * torque > 0.0)
+    # else
+    acts = (JOINT_SIDE * (COS * cross - SIN * dot) > 0.0) & (JOINT_SIDE * torque > 0.0)
+    # endif
+    torque *= (JOINT_SIDE == 0.0) | acts
+    # ifdef HAS_JOINT_ENERGY
+    energy *= (JOINT_SIDE == 0.0) | acts
+    # endif
     # endif
     across = np.stack((-spring[:, 1], spring[:, 0]), 1) / (length**2)[:, None]
     np.add.at(on_b, P, torque[:, None] * across[P])

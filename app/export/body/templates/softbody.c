@@ -111,6 +111,9 @@ static const struct {
 static const struct {
     int a, b;
     double k, rest;
+# ifdef HAS_SPRING_SIDES
+    int side;
+# endif
 # ifdef HAS_DAMPING
     double c;
 # endif
@@ -205,6 +208,11 @@ static void accelerate(softbody *body) {
 # ifdef HAS_DAMPING
         pull -= body->spring[i].c * (x * rx + y * ry) / length;
 # endif
+# ifdef HAS_SPRING_SIDES
+        // One of one side exerts nothing on the other, and damping does not turn its force round.
+        double side = body->spring[i].side, elastic = body->spring[i].k * (length - body->spring[i].rest);
+        if (side && !(side * elastic > 0.0 && side * pull < 0.0)) pull = 0.0;
+# endif
         pull /= length;
 # ifdef HAS_JOINTS
         body->spring[i].fx = pull * x, body->spring[i].fy = pull * y;
@@ -241,6 +249,16 @@ static void accelerate(softbody *body) {
         double turning_p = (body->spring[p].x * body->spring[p].ry - body->spring[p].y * body->spring[p].rx) / pp;
         double turning_q = (body->spring[q].x * body->spring[q].ry - body->spring[q].y * body->spring[q].rx) / qq;
         torque += body->joint[i].c * body->spring[p].length * body->spring[q].length * (turning_q - turning_p);
+# endif
+# ifdef HAS_JOINT_SIDES
+        // One of one side exerts nothing on the other, and damping does not turn its torque round.
+# ifdef HAS_ANGLE_LAW
+        double beyond = off;
+# else
+        double beyond = body->joint[i].cosine * cross - body->joint[i].sine * dot;
+# endif
+        double side = body->joint[i].side;
+        if (side && !(side * beyond > 0.0 && side * torque > 0.0)) continue;
 # endif
         body->spring[p].fx -= torque * body->spring[p].y / pp, body->spring[p].fy += torque * body->spring[p].x / pp;
         body->spring[q].fx += torque * body->spring[q].y / qq, body->spring[q].fy -= torque * body->spring[q].x / qq;
@@ -394,6 +412,9 @@ void softbody_reset(softbody *body) {
     for (int i = 0; i < SOFTBODY_SPRINGS; i++) {
         softbody_spring *s = &body->spring[i];
         s->a = springs[i].a, s->b = springs[i].b, s->k = springs[i].k, s->rest = springs[i].rest;
+# ifdef HAS_SPRING_SIDES
+        s->side = springs[i].side;
+# endif
 # ifdef HAS_DAMPING
         s->c = springs[i].c;
 # endif

@@ -45,6 +45,9 @@ typedef struct {
     int a, b;     // masses at the ends of the spring
     double k;     // stiffness, kg/s^2
     double rest;  // rest length, px
+# ifdef HAS_SPRING_SIDES
+    int side;     // 1: it only pulls; -1: it only pushes; 0: both
+# endif
 # ifdef HAS_DAMPING
     double c;     // damping, kg/s
 # endif
@@ -66,6 +69,9 @@ typedef struct {
     double rest;  // rest angle, radians
 # else
     double cosine, sine;  // of the rest angle
+# endif
+# ifdef HAS_JOINT_SIDES
+    int side;     // 1: it acts above its rest angle only; -1: below it only; 0: both
 # endif
 # ifdef HAS_JOINT_DAMPING
     double c;     // damping, kg/s

@@ -33,6 +33,8 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
+ * @typedef {{springs: number[], joints: number[]}} Sides of springs and joints: 1 for one that acts only beyond its rest length
+ *   or rest angle, -1 for one that acts only below it, 0 for one that acts on both sides
  * @typedef {import("./muscles.js").Muscles} Muscles
  * @typedef {import("./push.js").Lost} Lost
  * @typedef {import("./push.js").Tangential} Tangential
@@ -62,6 +64,7 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {number[]} jointStiffness kg/s²
  * @property {number[]} jointDamping kg/s
  * @property {number[]} restAngle degrees
+ * @property {Sides | null} sides
  * @property {number[]} broken springs that are broken
  * @property {Wall[]} walls
  * @property {Filling[]} fillings
@@ -80,6 +83,13 @@ export const TURN = 2 * Math.PI;
 
 /** An angle, wrapped once into (-180, 180] degrees. @param {number} angle */
 const wrapped = (angle) => (angle > 180 ? angle - 360 : angle <= -180 ? angle + 360 : angle);
+
+/**
+ * Whether a part acts that acts on one side: on its side, and not where damping would turn its force round.
+ *
+ * @param {number} side see `Sides` @param {number} off how far it is from its rest, in any unit @param {number} whole its force
+ */
+export const acts = (side, off, whole) => !side || (side * off > 0 && side * whole > 0);
 
 /** A body, and what acts on it. */
 export class Body {
@@ -109,6 +119,7 @@ export class Body {
     this.jointStiffness = Float64Array.from(data.jointStiffness);
     this.jointDamping = Float64Array.from(data.jointDamping);
     this.restAngle = Float64Array.from(data.restAngle);
+    this.sides = data.sides;
     this.broken = new Uint8Array(this.springs);
     this.loads = data.loads.map(([mass, x, y]) => ({ mass, x, y }));
     this.walls = data.walls.map((wall) => /** @type {Wall} */ ([...wall]));
@@ -264,7 +275,7 @@ export class Body {
 
   // What runs at every step allocates no arrays: half of the time would go into collecting them.
   #addSprings() {
-    const { velocities: v, accelerations: a, ends, vectors, lengths, forces } = this;
+    const { velocities: v, accelerations: a, ends, vectors, lengths, forces, sides } = this;
     this.measure();
     for (let s = 0; s < this.springs; s++) {
       if (this.broken[s]) {
@@ -277,7 +288,9 @@ export class Body {
       const dy = vectors[2 * s + 1];
       const length = lengths[s];
       const along = (dx * (v[two] - v[one]) + dy * (v[two + 1] - v[one + 1])) / (length * length);
-      const pull = this.stiffness[s] * ((this.restLengthOf(s) + this.yielding[s]) / length - 1) - this.damping[s] * along;
+      const elastic = this.stiffness[s] * ((this.restLengthOf(s) + this.yielding[s]) / length - 1);
+      const whole = elastic - this.damping[s] * along;
+      const pull = sides && !acts(-sides.springs[s], elastic, whole) ? 0 : whole;
       forces[2 * s] = pull * dx;
       forces[2 * s + 1] = pull * dy;
     }
@@ -331,32 +344,68 @@ export class Body {
 
   /**
    * The energy of a joint, kg px²/s². The tutorial's law has that of the conservative one, but no force along the springs
-   * from it.
+   * from it. A joint that acts on one side has none on the other.
    *
    * @param {number} j
    */
   energyOf(j) {
     if (this.isLoose(j)) return 0;
-    const { heldSprings, lengths } = this;
+    const { heldSprings, lengths, sides } = this;
     const p = heldSprings[2 * j];
     const q = heldSprings[2 * j + 1];
+    if (sides && sides.joints[j] * this.#off(j, p, q) < 0) return 0;
     if (this.law === "angle") return 0.5 * this.torqueOf(j) * this.#off(j, p, q);
     return this.jointStiffness[j] * lengths[p] * lengths[q] - this.cosine[j] * this.#dot(p, q) - this.sine[j] * this.#cross(p, q);
   }
 
+  /** The torque of a joint with its damping, kg px²/s²; 0 where it does not act. @param {number} j */
+  wholeTorqueOf(j) {
+    if (this.isLoose(j)) return 0;
+    const { heldSprings, lengths, sides } = this;
+    const p = heldSprings[2 * j];
+    const q = heldSprings[2 * j + 1];
+    let torque = this.torqueOf(j);
+    if (this.jointDamping[j]) {
+      torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.turning(q) - this.turning(p));
+    }
+    return sides && !acts(sides.joints[j], this.#off(j, p, q), torque) ? 0 : torque;
+  }
+
+  /**
+   * Have springs and joints of one side act on both: those that do not act, as if they were at rest where they are.
+   *
+   * @returns {() => void} what takes it back
+   */
+  brace() {
+    const { sides, yielding, lengths } = this;
+    if (!sides) return () => {};
+    const before = yielding.slice();
+    this.measure();
+    sides.springs.forEach((side, s) => {
+      const longer = lengths[s] - this.restLengthOf(s);
+      if (side * longer < 0) yielding[s] = longer;
+    });
+    sides.joints.forEach((side, j) => {
+      const off = this.#off(j, this.heldSprings[2 * j], this.heldSprings[2 * j + 1]);
+      if (side * off < 0) this.turnRest(j, off);
+    });
+    this.sides = null;
+    return () => {
+      this.sides = sides;
+      yielding.set(before);
+      this.refresh();
+    };
+  }
+
   #addJoints() {
-    const { heldSprings, lengths } = this;
+    const { heldSprings, sides } = this;
     for (let j = 0; j < this.joints; j++) {
       if (this.isLoose(j)) continue;
-      const p = heldSprings[2 * j];
-      const q = heldSprings[2 * j + 1];
+      const torque = this.wholeTorqueOf(j);
+      if (sides && sides.joints[j] && !torque) continue;
       const energy = this.law === "tutorial" ? 0 : this.energyOf(j);
-      let torque = this.torqueOf(j);
-      if (this.jointDamping[j]) {
-        torque += this.jointDamping[j] * lengths[p] * lengths[q] * (this.turning(q) - this.turning(p));
-      }
-      this.#turn(p, torque, energy);
-      this.#turn(q, -torque, energy);
+      this.#turn(heldSprings[2 * j], torque, energy);
+      this.#turn(heldSprings[2 * j + 1], -torque, energy);
     }
   }
 

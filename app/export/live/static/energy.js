@@ -16,8 +16,9 @@ export function energies(body) {
   }
   for (let s = 0; s < body.springs; s++) {
     const [a, b] = [2 * body.ends[2 * s], 2 * body.ends[2 * s + 1]];
-    const length = Math.hypot(x[b] - x[a], x[b + 1] - x[a + 1]);
-    if (!body.broken[s]) linear += 0.5 * body.stiffness[s] * (length - body.restLengthOf(s)) ** 2;
+    const longer = Math.hypot(x[b] - x[a], x[b + 1] - x[a + 1]) - body.restLengthOf(s);
+    if (body.broken[s] || (body.sides && body.sides.springs[s] * longer < 0)) continue;
+    linear += 0.5 * body.stiffness[s] * longer ** 2;
   }
   body.measure();
   for (let j = 0; j < body.joints; j++) angular += body.energyOf(j);

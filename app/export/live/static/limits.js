@@ -12,6 +12,16 @@ const STEEPEST = 0.999;
 const SHORTEST_REST = 0.01;
 
 /**
+ * The force of a spring without damping, kg px/s²; 0 where one of one side is slack.
+ *
+ * @param {Body} body @param {number} s
+ */
+function elastic(body, s) {
+  const force = body.stiffness[s] * (body.lengths[s] - body.restLengthOf(s));
+  return body.sides && body.sides.springs[s] * force < 0 ? 0 : force;
+}
+
+/**
  * How far a spring yields at its present length, px, by what has yielded before this step.
  *
  * @param {Body} body @param {number} s
@@ -21,7 +31,7 @@ function setBy(body, s) {
   const stiffness = body.stiffness[s];
   if (!limits || body.broken[s] || !(stiffness > 0)) return 0;
   const rest = body.restLengthOf(s);
-  const force = stiffness * (body.lengths[s] - rest);
+  const force = elastic(body, s);
   const over = Math.abs(force) - (limits.yieldForce[s] + body.hardened[s]);
   if (!(over > 0)) return 0;
   const least = Math.min(SHORTEST_REST * body.restLength[s] - rest, 0);
@@ -40,6 +50,7 @@ function bentBy(body, j) {
   let off = Math.atan2(px * qy - py * qx, px * qx + py * qy) - (body.restAngleOf(j) * Math.PI) / 180;
   if (off > Math.PI) off -= 2 * Math.PI;
   else if (off < -Math.PI) off += 2 * Math.PI;
+  if (body.sides && body.sides.joints[j] * off < 0) return 0;
   // Bent beyond the largest torque of a sine law, it has yielded on the way; more than that it never has.
   const isAngle = body.law === "angle";
   const limit = isAngle ? torque : torque < 1 ? Math.asin(torque) : Infinity;
@@ -71,7 +82,7 @@ export function settle(body) {
     body.setLength[s] += moved;
     body.hardened[s] += limits.hardening[s] * Math.abs(moved);
     body.yielding[s] = 0;
-    if (Math.abs(body.stiffness[s] * (body.lengths[s] - body.restLengthOf(s))) > limits.strength[s]) {
+    if (Math.abs(elastic(body, s)) > limits.strength[s]) {
       body.broken[s] = 1;
       broke = true;
     }

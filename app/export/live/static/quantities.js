@@ -11,6 +11,7 @@
  * @property {number | null} high
  * @property {number} seconds
  */
+import { acts } from "./body.js";
 import { energies } from "./energy.js";
 import { swings } from "./swings.js";
 
@@ -30,9 +31,7 @@ const READ = {
   },
   "joint.torque": (body, j) => {
     body.measure();
-    if (body.isLoose(j)) return 0;
-    const [p, q] = [body.heldSprings[2 * j], body.heldSprings[2 * j + 1]];
-    return body.torqueOf(j) + body.jointDamping[j] * body.lengths[p] * body.lengths[q] * (body.turning(q) - body.turning(p));
+    return body.wholeTorqueOf(j);
   },
   "spring.direction": (body, s) => directionOf(body, s),
   "spring.wrapped_direction": (body, s) => directionOf(body, s),
@@ -44,7 +43,9 @@ const READ = {
     const { vectors, velocities: v, ends, lengths } = body;
     const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
     const along = (vectors[2 * s] * (v[b] - v[a]) + vectors[2 * s + 1] * (v[b + 1] - v[a + 1])) / lengths[s];
-    return body.stiffness[s] * (lengths[s] - body.restLengthOf(s)) + body.damping[s] * along;
+    const elastic = body.stiffness[s] * (lengths[s] - body.restLengthOf(s));
+    const whole = elastic + body.damping[s] * along;
+    return body.sides && !acts(body.sides.springs[s], elastic, whole) ? 0 : whole;
   },
   "mass.x": (body, m) => body.positions[2 * m],
   "mass.y": (body, m) => body.positions[2 * m + 1],
