@@ -15,6 +15,7 @@ from sim.scene.types import shown_name
 from sim.store.files import SceneInfo, list_scenes, load_scene
 from sim.store.link import link_data
 
+from ..export.body.program import unknown_forces
 from ..features.gallery.entries import entries as in_groups
 
 OWN = "Own scenes"
@@ -57,7 +58,7 @@ def shown(names: Sequence[str], own: bool) -> list[Shown]:
 
     Args:
         names: of presets and saved scenes, paths of files, and links; if there are none, all presets but
-            `EMPTY`.
+            `EMPTY` and those with forces that live files do not know.
         own: whether all scenes that the user has saved are in it, too.
 
     Raises:
@@ -67,7 +68,9 @@ def shown(names: Sequence[str], own: bool) -> list[Shown]:
     listed = list_scenes()
     known = {info.name: info for info in listed}
     found = [_named(name, known) for name in names] or [
-        (info, load_scene(info.path)) for info in listed if info.built_in and info.name != EMPTY
+        (info, scene)
+        for info in listed
+        if info.built_in and info.name != EMPTY and not unknown_forces(scene := load_scene(info.path))
     ]
     if own:
         there = {info.path for info, _ in found}
