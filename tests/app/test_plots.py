@@ -23,7 +23,6 @@ from app.features.measure.panel import MeasurePanel
 from app.features.measure.phase import phase_svg
 from app.features.measure.plot_list import ADD
 from app.session import commands
-from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve, parse_plot
 from app.stage.colors import palette
@@ -110,16 +109,6 @@ def test_a_reset_and_another_scene_begin_anew(page: PlotPage, command: commands.
     page.frames(2, command)
     assert len(page.plot.rows) <= 2
     assert page.plot.rows[-1, 0] == page.simulation.time
-
-
-def test_the_ring_is_bounded_and_in_order(page: PlotPage) -> None:
-    page.frames(1)
-    for i in range(1, 2 * SPAN + 50):
-        page.plot.append((float(i), -float(i)))
-    rows = page.plot.rows
-    assert len(rows) == SPAN
-    assert rows[-1].tolist() == [2 * SPAN + 49, -(2 * SPAN + 49)]
-    assert (np.diff(rows[:, 0]) == 1.0).all()
 
 
 def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:

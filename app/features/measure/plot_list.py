@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from ...session.notices import Notice
 from ...session.plots import MAX_PLOTS, Plot, PlotSpec, curve
 from ...stage.colors import palette
 from ...ui.page import Page
+from ...ui.viser.handlers import on_change
 from . import plots
 from .messages import Melody
 
@@ -29,8 +31,11 @@ READ_EVERY = 0.5
 PIECES = 150
 """Pieces of a curve from left to right, each with its highest and lowest value."""
 
-SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "60 s": 60.0}
+SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "1 min": 60.0, "10 min": 600.0, "1 h": 3600.0}
 """How much time a plot shows, s, by its label."""
+
+SPAN = "10 s"
+"""What a new plot shows."""
 
 ADD, TABLE, PICTURE, HEAR, REMOVE = "Add to it", "CSV", "Picture", "Hear", "Remove"
 """Buttons below a plot."""
@@ -51,12 +56,13 @@ class _OpenPlot:
     Attributes:
         plot: what it shows.
         chart: its drawing.
+        seconds: how much time it shows, s.
         sent: the version of the plot that `PlotList.tick` sent last; -1 for none. A new chart does not count:
             its lines are pale until it is updated.
     """
 
     def __init__(self, plot: Plot, page: Page, tab: viser.GuiTabHandle, order: float, is_own: bool) -> None:
-        self.plot, self.sent = plot, -1
+        self.plot, self.sent, self.seconds = plot, -1, SPANS[SPAN]
         self._page, self._tab, self._is_own = page, tab, is_own
         gui = page.client.gui
         self.chart = (plots.PhaseChart if plot.spec.over else plots.TimeChart)(gui, order + 1)
@@ -65,35 +71,46 @@ class _OpenPlot:
             self._reading = gui.add_html("", order=order + 2)
             labels = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
             self.buttons = gui.add_button_group("", labels, order=order + 3)
+            self._lists = self._add_lists(order + 4) if is_own else ()
+
+    def _add_lists(self, order: float) -> tuple[viser.GuiDropdownHandle[str], ...]:
+        """Add what a user chooses for this plot alone."""
+        span = self._page.client.gui.add_dropdown("Time span", tuple(SPANS), initial_value=SPAN, order=order)
+        on_change(span, lambda: self._page.later(partial(self._set_span, span.value)))
+        return (span,)
+
+    def _set_span(self, label: str) -> None:
+        self.seconds = SPANS.get(label, self.seconds)
+        self.show(reads=True)
 
     def remove(self) -> None:
         """Remove it from the page."""
-        for handle in (self._title, self._reading, self.buttons):
+        for handle in (self._title, self._reading, self.buttons, *self._lists):
             handle.remove()
         self.chart.remove()
 
-    def show(self, seconds: float, reads: bool) -> None:
-        """Send the last seconds; with `reads`, period and damping, too."""
+    def show(self, reads: bool) -> None:
+        """Send what it shows; with `reads`, period and damping, too."""
         page, plot = self._page, self.plot
         colors = palette(page.session.scene.view.colors, page.looks.dark)
         with page.client.atomic(), self._tab:
-            self.chart.draw(plot, curve(plot, seconds, PIECES), colors)
+            self.chart.draw(plot, curve(plot, self.seconds, PIECES), colors)
             if reads:
                 self._title.content = plots.title(plot, plots.colors_of(plot, colors))
                 # In a lesson, it is not the user who plots something that does not swing.
                 self._reading.content = plots.reading(
-                    plot, seconds, "no regular swing" if self._is_own else ""
+                    plot, self.seconds, "no regular swing" if self._is_own else ""
                 )
 
     # --------------------------------------------------------------------- buttons
-    def download(self, _: float) -> None:
+    def download(self) -> None:
         """Send all values as a table."""
         self._send(".csv", self.plot.table(self._page.commas.on).encode())
 
-    def draw_picture(self, seconds: float) -> None:
+    def draw_picture(self) -> None:
         """Send the plot as it is shown, as a picture; in another thread, since matplotlib is slow."""
         scene, plot = self._page.session.scene, self.plot
-        drawn = curve(plot, seconds, PICTURE_PIECES)
+        drawn = curve(plot, self.seconds, PICTURE_PIECES)
         colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), shown_name(scene)
 
         def make() -> None:
@@ -103,9 +120,9 @@ class _OpenPlot:
 
         file_worker.submit(make)
 
-    def play(self, seconds: float) -> None:
+    def play(self) -> None:
         """Send the past of the first quantity as a melody."""
-        quantity, rows = self.plot.quantities[0], self.plot.window(seconds)
+        quantity, rows = self.plot.quantities[0], self.plot.window(self.seconds)
         if not len(rows):
             return
         times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
@@ -131,7 +148,6 @@ class PlotList:
 
     Attributes:
         looked_at: whether the plots are visible; hidden ones record values, but are not sent.
-        seconds: how much time they show, s.
     """
 
     def __init__(
@@ -149,7 +165,6 @@ class PlotList:
         self._due = self._read_due = 0.0
         self._count = 0
         self.looked_at = True
-        self.seconds = 10.0
 
     def __len__(self) -> int:
         return len(self._plots)
@@ -212,7 +227,7 @@ class PlotList:
             self._read_due = now + READ_EVERY
         for shown in self._plots:
             if shown.sent != shown.plot.version:
-                shown.show(self.seconds, reads)
+                shown.show(reads)
                 if reads:
                     shown.sent = shown.plot.version
 
@@ -232,23 +247,23 @@ class PlotList:
         self._plots.append(shown)
         presses = {
             TABLE: shown.download, PICTURE: shown.draw_picture, HEAR: shown.play,
-            ADD: lambda _: self._extend(shown), REMOVE: lambda _: self._remove(shown),
+            ADD: partial(self._extend, shown), REMOVE: partial(self._remove, shown),
         }  # fmt: skip
 
         @shown.buttons.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
             label = event.target.value
             if event.client_id is not None and label in shown.buttons.options:
-                self._page.later(lambda: presses[label](self.seconds))
+                self._page.later(presses[label])
 
         plot.sample(self._session)
         self._changed()
-        shown.show(self.seconds, reads=True)
+        shown.show(reads=True)
 
     def redraw(self) -> None:
         """Send all plots."""
         for shown in self._plots:
-            shown.show(self.seconds, reads=True)
+            shown.show(reads=True)
 
     def _remove(self, shown: _OpenPlot) -> None:
         if shown not in self._plots:
@@ -274,4 +289,4 @@ class PlotList:
         shown.chart.remove()
         shown.plot, shown.sent = plot, -1
         plot.sample(self._session)
-        shown.show(self.seconds, reads=True)
+        shown.show(reads=True)

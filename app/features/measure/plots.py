@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -31,6 +31,9 @@ _MAX_LABEL = 26
 
 HEIGHT = 220
 """Height of a chart, pixels."""
+
+_PER_PERIOD = 3
+"""Thinned rows in a period, at least, by which it is read: of a faster swing they have the envelope only."""
 
 PALE = 0.35
 """Opacity of values that are later than the moment shown."""
@@ -226,7 +229,8 @@ def title(plot: Plot, series: Sequence[str]) -> str:
 def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
     """Return period, amplitude and damping of each oscillating quantity, as HTML.
 
-    They are those of the whole window, or of its last half or quarter if the motion was different before.
+    They are those of the whole window, or of its last half or quarter if the motion was different before; of
+    shorter parts, too, if only these have all frames.
 
     Args:
         plot: the plot.
@@ -234,12 +238,13 @@ def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
         none: text if nothing oscillates.
     """
     rows = plot.window(seconds)
+    parts = list(_parts(rows[:, 0], plot.complete_since))
     lines = []
     for i, quantity in enumerate(plot.quantities[: len(plot.spec.names)], start=1):
-        for begin in (0, len(rows) // 2, 3 * len(rows) // 4):
+        for begin, longest in parts:
             time, values = rows[begin:, 0], rows[begin:, i]
             found = None if np.isnan(values).any() else swings(time, values)
-            if found is not None:
+            if found is not None and longest <= found.period / _PER_PERIOD:
                 loss = f", loses {100.0 * found.loss:.2g} % per cycle" if found.decrement is not None else ""
                 amplitude = f"{readouts.grouped(found.amplitude)} {quantity.unit}".strip()
                 lines.append(
@@ -248,3 +253,17 @@ def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
                 )
                 break
     return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or none}</div>'
+
+
+def _parts(time: NDArray[np.float64], complete_since: float) -> Iterator[tuple[int, float]]:
+    """Yield the first row of each part of a window to read, with the longest interval of thinned rows."""
+    if not time.size:
+        return
+    begin, part = 0, 1.0
+    while True:
+        thinned = int(np.searchsorted(time, complete_since))
+        yield begin, float(np.diff(time[begin : thinned + 1]).max(initial=0.0))
+        if part <= 0.25 and begin >= thinned:
+            return
+        part *= 0.5
+        begin = int(np.searchsorted(time, time[-1] - part * (time[-1] - time[0])))
