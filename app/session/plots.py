@@ -53,6 +53,9 @@ less. A plot of noise alone would have more marks than a page can draw, all with
 MIN_LENGTH = 1.0 / 60_000.0
 """The same for lengths, as a part of the scene's frame: a hundredth of a pixel if that is 600 px high."""
 
+Span = float | tuple[float, float]
+"""Time that is shown: so many seconds up to the moment that is shown, or from one time to another, s."""
+
 Name = Annotated[str, Meta(max_length=MAX_LENGTH)]
 
 
@@ -124,6 +127,7 @@ class Plot:
         quantities: those of the spec, then the one on the horizontal axis, if that is not the time.
         shown: the time that the page shows, s.
         version: counts changes of what is drawn.
+        run: of the history that it follows, see `History.runs`.
 
     Raises:
         InputError: there is no such quantity or part, or there are too many quantities or units.
@@ -141,7 +145,7 @@ class Plot:
         left, top, right, bottom = scene.view.frame
         self._least_length = scene.view.unit, MIN_LENGTH * max(right - left, bottom - top)
         self._samples = Samples(len(self.quantities))
-        self._run = 0
+        self.run = 0
         self.shown = 0.0
         self.version = 0
 
@@ -181,8 +185,8 @@ class Plot:
         history, time, samples = session.history, session.simulation.time, self._samples
         before = samples.last
         newest = before[0] if before is not None else None
-        if history.runs != self._run:
-            self._run = history.runs
+        if history.runs != self.run:
+            self.run = history.runs
             samples.clear()
         samples.drop_after(history.end)
         last = samples.last
@@ -208,28 +212,47 @@ class Plot:
         self._samples = other._samples.with_columns(
             [other.quantities.index(q) if q in other.quantities else None for q in self.quantities]
         )
-        self._run = other._run
+        self.run = other.run
 
     def append(self, row: Sequence[float]) -> None:
         """Add a row, of a later time than all before."""
         self._samples.append(row)
 
-    def window(self, seconds: float) -> Floats:
-        """(k, 1 + quantities) rows of the last seconds up to the moment shown."""
-        rows = self.rows
-        first, end = np.searchsorted(rows[:, 0], (self.shown - seconds, self.shown), side="right")
-        return rows[first:end]
+    def window(self, span: Span) -> Floats:
+        """(k, 1 + quantities) rows of a span of time, up to the moment shown."""
+        rows, past = self._between(*span) if isinstance(span, tuple) else self._until(span, self.shown)
+        return rows[:past]
 
-    def view(self, seconds: float) -> tuple[Floats, int]:
-        """(k, 1 + quantities) rows of some seconds, and how many of them are not after the moment shown.
+    def view(self, span: Span) -> tuple[Floats, int]:
+        """(k, 1 + quantities) rows of a span of time, and how many of them are not after the moment shown.
 
-        They end with the newest row, but at most `AHEAD` of the seconds after the moment shown.
+        The last seconds end with the newest row, but at most `AHEAD` of them after the moment shown.
         """
-        times = self.rows[:, 0]
-        newest = float(times[-1]) if times.size else self.shown
-        end = max(min(newest, self.shown + AHEAD * seconds), self.shown)
-        first, now, last = np.searchsorted(times, (end - seconds, self.shown, end), side="right").tolist()
-        return self.rows[first:last], now - first
+        if isinstance(span, tuple):
+            return self._between(*span)
+        newest = self.newest
+        return self._until(span, max(min(newest, self.shown + AHEAD * span), self.shown))
+
+    @property
+    def newest(self) -> float:
+        """Time of the newest row, s; the moment shown if there is none."""
+        last = self._samples.last
+        return float(last[0]) if last is not None else self.shown
+
+    def _until(self, seconds: float, end: float) -> tuple[Floats, int]:
+        """The rows of the seconds before a time, see `view`."""
+        rows = self.rows
+        first, now, last = np.searchsorted(
+            rows[:, 0], (end - seconds, self.shown, end), side="right"
+        ).tolist()
+        return rows[first:last], now - first
+
+    def _between(self, start: float, end: float) -> tuple[Floats, int]:
+        """The rows from one time to another, see `view`."""
+        rows = self.rows
+        first = int(np.searchsorted(rows[:, 0], start))
+        now, last = np.searchsorted(rows[:, 0], (self.shown, end), side="right").tolist()
+        return rows[first:last], min(max(now - first, 0), max(last - first, 0))
 
     def level(self, values: Floats) -> Floats:
         """(1 + quantities, k) values to draw, times first: those on one axis that hardly differ become equal.
@@ -274,18 +297,23 @@ class PlotWindow(NamedTuple):
     past: int
 
 
-def curve(plot: Plot, seconds: float, width: int) -> PlotWindow:
+def curve(plot: Plot, span: Span, width: int) -> PlotWindow:
     """The curves of a plot, thinned and rounded to what can be seen.
 
     Args:
         plot: the plot.
-        seconds: of the window.
-        width: pieces of the window. Of each piece, the moments of each quantity's highest and lowest values
-            remain; over another quantity than the time, the first moment of each of `FINE` times as many.
+        span: of its time.
+        width: pieces of the span; of half of it, a quarter and so on, if there are no values in the rest. Of
+            each piece, the moments of each quantity's highest and lowest values remain; over another
+            quantity than the time, the first moment of each of `FINE` times as many.
     """
-    rows, past = plot.view(seconds)
+    rows, past = plot.view(span)
     pieces = FINE * width if plot.spec.over else width
     if len(rows) > (pieces if plot.spec.over else 2 * pieces):
+        seconds = span[1] - span[0] if isinstance(span, tuple) else span
+        extent = float(rows[-1, 0] - rows[0, 0])
+        while 2.0 * extent <= seconds:
+            seconds *= 0.5
         # The pieces have fixed times; otherwise the curve would flicker as it moves on.
         piece = np.floor(rows[:, 0] * (pieces / seconds)).astype(np.int64)
         starts = np.flatnonzero(np.diff(piece, prepend=piece[0] - 1))

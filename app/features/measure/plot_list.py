@@ -9,17 +9,19 @@ from typing import Any
 import numpy as np
 import viser
 
+from sim.analysis.curves import CURVES
 from sim.errors import InputError
 from sim.scene.types import shown_name
 from sim.store import files
 
 from ...background import file_worker
 from ...session.notices import Notice
-from ...session.plots import MAX_PLOTS, Plot, PlotSpec, curve
+from ...session.plots import MAX_PLOTS, Plot, PlotSpec, Span, curve
 from ...stage.colors import palette
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
-from . import plots
+from ...viser_inside import element_id
+from . import analysis, plots
 from .messages import Melody
 
 EVERY = 0.1
@@ -57,15 +59,21 @@ class _OpenPlot:
         plot: what it shows.
         chart: its drawing.
         seconds: how much time it shows, s.
+        zoom: the part of the time that is shown instead, from and to, s; None for no part.
+        run: of the plot in which that part is.
         sent: the version of the plot that `PlotList.tick` sent last; -1 for none. A new chart does not count:
             its lines are pale until it is updated.
     """
 
     def __init__(self, plot: Plot, page: Page, tab: viser.GuiTabHandle, order: float, is_own: bool) -> None:
         self.plot, self.sent, self.seconds = plot, -1, SPANS[SPAN]
+        self.zoom: tuple[float, float] | None = None
+        self.run = 0
+        self._analysis, self._order, self._is_removed = analysis.NONE, order, False
+        self._fits: tuple[analysis.Fit, ...] = ()
         self._page, self._tab, self._is_own = page, tab, is_own
         gui = page.client.gui
-        self.chart = (plots.PhaseChart if plot.spec.over else plots.TimeChart)(gui, order + 1)
+        self.chart = self._new_chart()
         with tab:
             self._title = gui.add_html("", order=order)
             self._reading = gui.add_html("", order=order + 2)
@@ -75,16 +83,65 @@ class _OpenPlot:
 
     def _add_lists(self, order: float) -> tuple[viser.GuiDropdownHandle[str], ...]:
         """Add what a user chooses for this plot alone."""
-        span = self._page.client.gui.add_dropdown("Time span", tuple(SPANS), initial_value=SPAN, order=order)
-        on_change(span, lambda: self._page.later(partial(self._set_span, span.value)))
-        return (span,)
+        page, gui = self._page, self._page.client.gui
+        span = gui.add_dropdown("Time span", tuple(SPANS), initial_value=SPAN, order=order)
+        kinds = analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
+        kind = gui.add_dropdown("Analysis", kinds, initial_value=analysis.NONE, order=order + 1)
+        on_change(span, lambda: page.later(partial(self._set_span, span.value)))
+        on_change(kind, lambda: page.later(partial(self._prepare, kind.value)))
+        return span, kind
 
     def _set_span(self, label: str) -> None:
         self.seconds = SPANS.get(label, self.seconds)
+        self.renew()
+
+    def _prepare(self, kind: str) -> None:
+        """Analyse by another kind, once what it takes is loaded."""
+        offered = analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
+        if kind not in offered:  # a page can send any text
+            return
+
+        def load() -> None:
+            import scipy.optimize  # noqa: F401 - it would hold up a frame
+
+            self._page.later(partial(self._analyse, kind))
+
+        if kind in CURVES:
+            file_worker.submit(load)
+        else:
+            self._analyse(kind)
+
+    def _analyse(self, kind: str) -> None:
+        self._analysis, self._fits = kind, ()
+        self.renew(self.zoom)
+
+    @property
+    def _span(self) -> Span:
+        """The time that is in view."""
+        return self.zoom or self.seconds
+
+    def _new_chart(self) -> plots.TimeChart | plots.PhaseChart | plots.SpectrumChart:
+        gui, order = self._page.client.gui, self._order + 1
+        if self._analysis == analysis.SPECTRUM:
+            return plots.SpectrumChart(gui, order)
+        return (plots.PhaseChart if self.plot.spec.over else plots.TimeChart)(gui, order)
+
+    def zoom_to(self, part: tuple[float, float] | None) -> None:
+        """Show a part of the time, as the page does already."""
+        self.zoom, self.run = part, self.plot.run
+        self.show(reads=True)
+
+    def renew(self, zoom: tuple[float, float] | None = None) -> None:
+        """Draw it anew, with other lines or another part of the time."""
+        if self._is_removed:
+            return
+        self.chart.remove()
+        self.zoom, self.chart, self.sent = zoom, self._new_chart(), -1
         self.show(reads=True)
 
     def remove(self) -> None:
         """Remove it from the page."""
+        self._is_removed = True
         for handle in (self._title, self._reading, self.buttons, *self._lists):
             handle.remove()
         self.chart.remove()
@@ -94,13 +151,22 @@ class _OpenPlot:
         page, plot = self._page, self.plot
         colors = palette(page.session.scene.view.colors, page.looks.dark)
         with page.client.atomic(), self._tab:
-            self.chart.draw(plot, curve(plot, self.seconds, PIECES), colors)
             if reads:
                 self._title.content = plots.title(plot, plots.colors_of(plot, colors))
+            if isinstance(self.chart, plots.SpectrumChart):
+                if reads:
+                    spectra = analysis.draw_spectra(plot, self._span)
+                    self.chart.draw(plot, spectra, colors)
+                    self._reading.content = spectra.text
+                return
+            if reads and self._analysis in CURVES:
+                self._fits = analysis.fits_of(plot, self._span, self._analysis)
+                self._reading.content = analysis.fits_text(plot, self._fits)
+            elif reads:
                 # In a lesson, it is not the user who plots something that does not swing.
-                self._reading.content = plots.reading(
-                    plot, self.seconds, "no regular swing" if self._is_own else ""
-                )
+                none = "no regular swing" if self._is_own else ""
+                self._reading.content = plots.reading(plot, self._span, none)
+            self.chart.draw(plot, curve(plot, self._span, PIECES), colors, self._fits)
 
     # --------------------------------------------------------------------- buttons
     def download(self) -> None:
@@ -110,19 +176,26 @@ class _OpenPlot:
     def draw_picture(self) -> None:
         """Send the plot as it is shown, as a picture; in another thread, since matplotlib is slow."""
         scene, plot = self._page.session.scene, self.plot
-        drawn = curve(plot, self.seconds, PICTURE_PIECES)
+        is_spectrum = self._analysis == analysis.SPECTRUM
+        spectra = analysis.draw_spectra(plot, self._span, PICTURE_PIECES) if is_spectrum else None
+        drawn = curve(plot, self._span, PICTURE_PIECES)
+        fits = tuple(fit.at for fit in self._fits)
         colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), shown_name(scene)
 
         def make() -> None:
-            from ...export.plot_picture import plot_png  # matplotlib does not delay the start
+            from ...export.plot_picture import plot_png, spectrum_png  # matplotlib does not delay the start
 
-            self._send(".png", plot_png(plot, drawn, colors, title))
+            if spectra is None:
+                data = plot_png(plot, drawn, colors, title, fits)
+            else:
+                data = spectrum_png(plot, *spectra[:3], colors, title)
+            self._send(".png", data)
 
         file_worker.submit(make)
 
     def play(self) -> None:
         """Send the past of the first quantity as a melody."""
-        quantity, rows = self.plot.quantities[0], self.plot.window(self.seconds)
+        quantity, rows = self.plot.quantities[0], self.plot.window(self._span)
         if not len(rows):
             return
         times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
@@ -219,6 +292,8 @@ class PlotList:
         session, now = self._session, self._session.now()
         for shown in self._plots:
             shown.plot.sample(session)
+            if shown.zoom is not None and shown.run != shown.plot.run:
+                shown.renew()
         if now < self._due or not self.looked_at:
             return
         self._due = now + EVERY
@@ -259,6 +334,13 @@ class PlotList:
         plot.sample(self._session)
         self._changed()
         shown.show(reads=True)
+
+    def zoom(self, control: str, part: tuple[float, float] | None) -> None:
+        """Show a part of the time of the plot whose chart has this id, or all of it."""
+        for shown in self._plots:
+            handle = shown.chart.handle
+            if handle is not None and element_id(handle) == control:
+                shown.zoom_to(part)
 
     def redraw(self) -> None:
         """Send all plots."""
