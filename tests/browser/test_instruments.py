@@ -7,6 +7,7 @@ import re
 import numpy as np
 from playwright.sync_api import Locator
 
+import sim
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
@@ -88,6 +89,30 @@ def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page
     desk.rest(2)
     drag(desk, middle(body), middle(tool(desk, "Ruler")))
     desk.until(lambda: not named(desk, "Ruler"), "it is back in the box")
+
+
+def test_a_light_gate_times_a_pendulum_between_frames(open_page: OpenPage) -> None:
+    desk = open_page("pendulum")
+    desk.button("Instruments").click()
+    tool(desk, "Light gate").click()
+    pivot = desk.place(0)
+    # Upright below the pivot, as far as the pendulum reaches and beyond.
+    for grip, y in ((1, pivot[1] + 420.0), (0, pivot[1] + 40.0)):
+        drag(desk, middle(grips(desk, "Light").nth(grip)), (pivot[0], y))
+    desk.until(lambda: "Δt" in named(desk, "Light"), "it has crossed twice")
+    desk.tell(commands.Play(False))
+    time, interval, *_ = numbers(named(desk, "Light"))
+    scene = sim.load_scene("pendulum")
+    swing = sim.Simulation(scene).record(time + 1.0, "mass1.x")
+    offset = swing["mass1.x"] - scene.masses[0].position[0]
+    at = np.flatnonzero(np.diff(np.sign(offset)))
+    crossed = swing.time[at] + np.diff(swing.time)[at] * offset[at] / (offset[at] - offset[at + 1])
+    nearest = int(np.abs(crossed - time).argmin())
+    # The gate stands a pixel or so beside the pivot, and the second crossing comes from the other side.
+    assert abs(crossed[nearest] - time) < 0.01
+    assert abs(np.diff(crossed)[nearest - 1] - interval) < 0.02
+    tool(desk, "Light gate").click()
+    assert not named(desk, "Light")
 
 
 def test_a_finger_drags_a_ruler_out_of_the_box_and_moves_its_end(open_page: OpenPage) -> None:
