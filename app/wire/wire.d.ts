@@ -256,7 +256,7 @@ export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** How a scene is used in a class. */
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
-export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
+export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean; strobe: number };
 /** Forces, velocities and torques; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */

@@ -187,3 +187,29 @@ def test_a_clicked_mass_is_traced_and_read_out(open_page: OpenPage) -> None:
     desk.until(lambda: len(desk.page.evaluate(line)) < 60, "which is gone after a reset")
     desk.button("Clear the traces").click()
     desk.until(lambda: not desk.page.locator(".softrod-trace").count(), "and no mass is traced any more")
+
+
+def test_the_stroboscope_leaves_images_on_the_canvas_and_in_print(open_page: OpenPage) -> None:
+    desk = open_page("pendulum")
+    desk.show("Measure")
+    desk.choose("Stroboscope", "every 0.1 s")
+    images = desk.page.locator(".softrod-strobe > g > g")
+    desk.until(lambda: images.count() > 5, "there are some")
+    desk.tell(commands.Play(False))
+    desk.rest(3)
+    rings = [images.nth(i).locator(".softrod-strobe-masses") for i in range(images.count())]
+    # The box of each goes from the pivot to the swinging mass.
+    x, y = desk.place(0)
+    for ring in rings[::3]:
+        box = ring.bounding_box()
+        assert box is not None
+        assert box["x"] - 2.0 < x < box["x"] + box["width"] + 2.0
+        assert box["y"] - 2.0 < y < box["y"] + 25.0
+    desk.page.emulate_media(media="print")
+    assert images.first.is_visible()
+    desk.page.emulate_media(media="screen")
+    count = images.count()
+    desk.tell(commands.GoBack(0.5))
+    desk.until(lambda: images.count() <= count - 4, "later ones are gone")
+    desk.choose("Stroboscope", "off")
+    desk.until(lambda: not images.count(), "all are gone")
