@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
+import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from ..session.plots import Plot, PlotWindow
 from ..stage.colors import palette
@@ -16,8 +18,19 @@ SIZE = 7.0, 4.2
 
 DPI = 200
 
+FIT_POINTS = 1000
+"""Points of a fitted curve."""
 
-def plot_png(plot: Plot, drawn: PlotWindow, colors: Sequence[str], title: str) -> bytes:
+Floats = NDArray[np.float64]
+
+
+def plot_png(
+    plot: Plot,
+    drawn: PlotWindow,
+    colors: Sequence[str],
+    title: str,
+    fits: Sequence[Callable[[Floats], Floats]] = (),
+) -> bytes:
     """A plot as PNG, with all that is in its window.
 
     Args:
@@ -25,6 +38,7 @@ def plot_png(plot: Plot, drawn: PlotWindow, colors: Sequence[str], title: str) -
         drawn: its values.
         colors: of the quantities that are plotted upwards, as CSS has them.
         title: above it.
+        fits: the curve over each quantity, which gives values from places along the horizontal axis.
     """
     count, units = len(plot.spec.names), plot.units
     figure = Figure(figsize=SIZE, dpi=DPI, layout="constrained")
@@ -36,6 +50,9 @@ def plot_png(plot: Plot, drawn: PlotWindow, colors: Sequence[str], title: str) -
     for quantity, values, color in zip(plot.quantities, drawn.values[1:], colors, strict=False):
         axis = axes[units.index(quantity.unit)]
         lines += axis.plot(across, values, color=color, label=quantity.name, linewidth=1.4)
+    places = np.linspace(np.nanmin(across), np.nanmax(across), FIT_POINTS) if fits else across
+    for quantity, fit in zip(plot.quantities, fits, strict=False):
+        axes[units.index(quantity.unit)].plot(places, fit(places), color="black", linewidth=1.0)
     for axis, unit, turned in zip(axes, units, plot.turned, strict=True):
         names = ", ".join(q.name for q in plot.quantities[:count] if q.unit == unit)
         label = f"{names}, {unit}" if unit else names
@@ -50,6 +67,46 @@ def plot_png(plot: Plot, drawn: PlotWindow, colors: Sequence[str], title: str) -
     left.set_axisbelow(True)
     if count > 1:
         left.legend(lines, [line.get_label() for line in lines], frameon=False)
+    return _png(figure)
+
+
+def spectrum_png(
+    plot: Plot,
+    frequencies: Floats,
+    amplitudes: Floats,
+    peaks: Sequence[tuple[float, float, str]],
+    colors: Sequence[str],
+    title: str,
+) -> bytes:
+    """The amplitude spectra of a plot as PNG.
+
+    Args:
+        plot: what they are of.
+        frequencies: (k,) Hz.
+        amplitudes: (quantities, k) in the units of the quantities.
+        peaks: frequency, Hz, height and label of each.
+        colors: of the quantities, as CSS has them.
+        title: above it.
+    """
+    figure = Figure(figsize=SIZE, dpi=DPI, layout="constrained")
+    FigureCanvasAgg(figure)
+    axis = figure.add_subplot()
+    for quantity, values, color in zip(plot.quantities, amplitudes, colors, strict=False):
+        label = f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name
+        axis.plot(frequencies, values, color=color, label=label, linewidth=1.4)
+    for frequency, height, label in peaks:
+        axis.annotate(label, (frequency, height), (0, 3), textcoords="offset points", ha="center", fontsize=9)
+    axis.set_xlabel("frequency, Hz")
+    axis.set_ylabel("amplitude")
+    axis.set_ylim(bottom=0.0)
+    axis.set_title(title, parse_math=False)
+    axis.grid(color=palette("softrod", dark=False).css("line"), linewidth=0.8)
+    axis.set_axisbelow(True)
+    axis.legend(frameon=False)
+    return _png(figure)
+
+
+def _png(figure: Figure) -> bytes:
     data = io.BytesIO()
     figure.savefig(data, format="png", metadata={"Software": None})
     return data.getvalue()

@@ -1,4 +1,4 @@
-"""Plots of a page: their quantities, and the values of the last minute.
+"""Plots of a page: their quantities, and their values of up to some hours.
 
 A plot follows the history of its session. Values after the moment that is shown stay until others replace
 them.
@@ -22,7 +22,7 @@ from sim.motion.formulas import MAX_LENGTH
 from sim.motion.quantities import PARTS, Kind
 from sim.motion.recording import table_text
 
-from .history import SPAN
+from .samples import Samples
 from .session import Session
 
 Floats = NDArray[np.float64]
@@ -52,6 +52,9 @@ less. A plot of noise alone would have more marks than a page can draw, all with
 
 MIN_LENGTH = 1.0 / 60_000.0
 """The same for lengths, as a part of the scene's frame: a hundredth of a pixel if that is 600 px high."""
+
+Span = float | tuple[float, float]
+"""Time that is shown: so many seconds up to the moment that is shown, or from one time to another, s."""
 
 Name = Annotated[str, Meta(max_length=MAX_LENGTH)]
 
@@ -113,7 +116,7 @@ def find(name: str, scene: sim.Scene) -> sim.Quantity:
 
 
 class Plot:
-    """A plot: its quantities, and a ring of their values, a row for each frame in which time passed.
+    """A plot: its quantities, and their values, a row for each frame in which time passed; see `Samples`.
 
     Args:
         spec: names its quantities.
@@ -124,6 +127,7 @@ class Plot:
         quantities: those of the spec, then the one on the horizontal axis, if that is not the time.
         shown: the time that the page shows, s.
         version: counts changes of what is drawn.
+        run: of the history that it follows, see `History.runs`.
 
     Raises:
         InputError: there is no such quantity or part, or there are too many quantities or units.
@@ -140,10 +144,8 @@ class Plot:
         self._y_down = scene.view.y_down
         left, top, right, bottom = scene.view.frame
         self._least_length = scene.view.unit, MIN_LENGTH * max(right - left, bottom - top)
-        # Twice the size, so that rows seldom have to be moved.
-        self._room = np.empty((2 * SPAN, 1 + len(self.quantities)))
-        self._first = self._end = 0
-        self._run = 0
+        self._samples = Samples(len(self.quantities))
+        self.run = 0
         self.shown = 0.0
         self.version = 0
 
@@ -165,8 +167,13 @@ class Plot:
 
     @property
     def rows(self) -> Floats:
-        """(k, 1 + quantities) times, s, and values; NaN for those that did not exist. A view."""
-        return self._room[self._first : self._end]
+        """(k, 1 + quantities) times, s, and values; NaN for those that did not exist."""
+        return self._samples.rows
+
+    @property
+    def complete_since(self) -> float:
+        """Time, s, from which on there is a row for each frame."""
+        return self._samples.complete_since
 
     @property
     def wants_energy(self) -> bool:
@@ -175,25 +182,26 @@ class Plot:
 
     def sample(self, session: Session) -> None:
         """Add the present values, if they are of a later time than all before; drop an abandoned future."""
-        history, time = session.history, session.simulation.time
-        end = self._end
-        if history.runs != self._run:
-            self._run, self._first, self._end = history.runs, 0, 0
-        while self._end > self._first and self._room[self._end - 1, 0] > history.end:
-            self._end -= 1
-        if self._end == self._first or time > self._room[self._end - 1, 0]:
-            last = self.rows[-1, 1:] if len(self.rows) else np.full(len(self.quantities), np.nan)
-            each = zip(self.quantities, last.tolist(), strict=True)
-            self.append((time, *(_value(session, q, before) for q, before in each)))
-        elif time == self._room[self._end - 1, 0]:
-            self._update_stability(session)
-        if end != self._end or time != self.shown:
+        history, time, samples = session.history, session.simulation.time, self._samples
+        before = samples.last
+        newest = before[0] if before is not None else None
+        if history.runs != self.run:
+            self.run = history.runs
+            samples.clear()
+        samples.drop_after(history.end)
+        last = samples.last
+        if last is None or time > last[0]:
+            known = last[1:] if last is not None else np.full(len(self.quantities), np.nan)
+            each = zip(self.quantities, known.tolist(), strict=True)
+            self.append((time, *(_value(session, q, value) for q, value in each)))
+        elif time == last[0]:
+            self._update_stability(session, last[1:])
+        if time != newest or time != self.shown:
             self.version += 1
         self.shown = time
 
-    def _update_stability(self, session: Session) -> None:
+    def _update_stability(self, session: Session, last: Floats) -> None:
         """Update the stability limit, which may be found while the clock is stopped."""
-        last = self._room[self._end - 1, 1:]
         for i, quantity in enumerate(self.quantities):
             if quantity.is_of("stability") and (value := _value(session, quantity)) != last[i]:
                 last[i] = value
@@ -201,41 +209,50 @@ class Plot:
 
     def take_over(self, other: Plot) -> None:
         """Copy another plot's values of the same quantities."""
-        rows = np.full((len(other.rows), self._room.shape[1]), np.nan)
-        rows[:, 0] = other.rows[:, 0]
-        for i, quantity in enumerate(self.quantities, start=1):
-            if quantity in other.quantities:
-                rows[:, i] = other.rows[:, 1 + other.quantities.index(quantity)]
-        self._room[: len(rows)] = rows
-        self._first, self._end, self._run = 0, len(rows), other._run
+        self._samples = other._samples.with_columns(
+            [other.quantities.index(q) if q in other.quantities else None for q in self.quantities]
+        )
+        self.run = other.run
 
     def append(self, row: Sequence[float]) -> None:
         """Add a row, of a later time than all before."""
-        if self._end - self._first == SPAN:
-            self._first += 1
-        if self._end == len(self._room):
-            kept = self.rows.copy()
-            self._first, self._end = 0, len(kept)
-            self._room[: self._end] = kept
-        self._room[self._end] = row
-        self._end += 1
+        self._samples.append(row)
 
-    def window(self, seconds: float) -> Floats:
-        """(k, 1 + quantities) rows of the last seconds up to the moment shown."""
-        rows = self.rows
-        first, end = np.searchsorted(rows[:, 0], (self.shown - seconds, self.shown), side="right")
-        return rows[first:end]
+    def window(self, span: Span) -> Floats:
+        """(k, 1 + quantities) rows of a span of time, up to the moment shown."""
+        rows, past = self._between(*span) if isinstance(span, tuple) else self._until(span, self.shown)
+        return rows[:past]
 
-    def view(self, seconds: float) -> tuple[Floats, int]:
-        """(k, 1 + quantities) rows of some seconds, and how many of them are not after the moment shown.
+    def view(self, span: Span) -> tuple[Floats, int]:
+        """(k, 1 + quantities) rows of a span of time, and how many of them are not after the moment shown.
 
-        They end with the newest row, but at most `AHEAD` of the seconds after the moment shown.
+        The last seconds end with the newest row, but at most `AHEAD` of them after the moment shown.
         """
-        times = self.rows[:, 0]
-        newest = float(times[-1]) if times.size else self.shown
-        end = max(min(newest, self.shown + AHEAD * seconds), self.shown)
-        first, now, last = np.searchsorted(times, (end - seconds, self.shown, end), side="right").tolist()
-        return self.rows[first:last], now - first
+        if isinstance(span, tuple):
+            return self._between(*span)
+        newest = self.newest
+        return self._until(span, max(min(newest, self.shown + AHEAD * span), self.shown))
+
+    @property
+    def newest(self) -> float:
+        """Time of the newest row, s; the moment shown if there is none."""
+        last = self._samples.last
+        return float(last[0]) if last is not None else self.shown
+
+    def _until(self, seconds: float, end: float) -> tuple[Floats, int]:
+        """The rows of the seconds before a time, see `view`."""
+        rows = self.rows
+        first, now, last = np.searchsorted(
+            rows[:, 0], (end - seconds, self.shown, end), side="right"
+        ).tolist()
+        return rows[first:last], now - first
+
+    def _between(self, start: float, end: float) -> tuple[Floats, int]:
+        """The rows from one time to another, see `view`."""
+        rows = self.rows
+        first = int(np.searchsorted(rows[:, 0], start))
+        now, last = np.searchsorted(rows[:, 0], (self.shown, end), side="right").tolist()
+        return rows[first:last], min(max(now - first, 0), max(last - first, 0))
 
     def level(self, values: Floats) -> Floats:
         """(1 + quantities, k) values to draw, times first: those on one axis that hardly differ become equal.
@@ -259,8 +276,13 @@ class Plot:
         return values
 
     def table(self, decimal_comma: bool = False) -> str:
-        """All rows as CSV, see `sim.Recording.to_csv`."""
-        return table_text(self.quantities, self.rows, decimal_comma)
+        """All rows as CSV, see `sim.Recording.to_csv`; with a column `frames` if some are thinned.
+
+        It says for how many frames a row stands. Rows that stand for several have the extremes of these.
+        """
+        samples = self._samples
+        frames: list[int] = samples.frames.tolist() if samples.is_thinned else []
+        return table_text(self.quantities, samples.rows, decimal_comma, frames)
 
 
 class PlotWindow(NamedTuple):
@@ -275,18 +297,23 @@ class PlotWindow(NamedTuple):
     past: int
 
 
-def curve(plot: Plot, seconds: float, width: int) -> PlotWindow:
+def curve(plot: Plot, span: Span, width: int) -> PlotWindow:
     """The curves of a plot, thinned and rounded to what can be seen.
 
     Args:
         plot: the plot.
-        seconds: of the window.
-        width: pieces of the window. Of each piece, the moments of each quantity's highest and lowest values
-            remain; over another quantity than the time, the first moment of each of `FINE` times as many.
+        span: of its time.
+        width: pieces of the span; of half of it, a quarter and so on, if there are no values in the rest. Of
+            each piece, the moments of each quantity's highest and lowest values remain; over another
+            quantity than the time, the first moment of each of `FINE` times as many.
     """
-    rows, past = plot.view(seconds)
+    rows, past = plot.view(span)
     pieces = FINE * width if plot.spec.over else width
     if len(rows) > (pieces if plot.spec.over else 2 * pieces):
+        seconds = span[1] - span[0] if isinstance(span, tuple) else span
+        extent = float(rows[-1, 0] - rows[0, 0])
+        while 2.0 * extent <= seconds:
+            seconds *= 0.5
         # The pieces have fixed times; otherwise the curve would flicker as it moves on.
         piece = np.floor(rows[:, 0] * (pieces / seconds)).astype(np.int64)
         starts = np.flatnonzero(np.diff(piece, prepend=piece[0] - 1))

@@ -180,6 +180,8 @@ export type EndTrying = { do: "endTrying" };
 export type DropLesson = { do: "dropLesson" };
 /** The Measure tab is shown for the first time: it is to begin with a plot. */
 export type FirstPlot = { do: "firstPlot" };
+/** Which part of a plot over time is in view now. */
+export type InView = { do: "inView"; plot: string; part: [number, number] | null };
 /** In which tab somebody sees plots now; they are not sent otherwise. */
 export type Seen = { do: "seen"; tab: "" | "lesson" | "measure" };
 /** Put the body into a mode, with a part of the amplitude of a full bar. */
@@ -202,7 +204,7 @@ export type Unsent = { do: "unsent"; what: TextKind };
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
+export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | InView | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; axes: Axes; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
 /** What a pupil has to work with: sliders, plots, and arrow keys. */
@@ -254,7 +256,7 @@ export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 /** How a scene is used in a class. */
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
-export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean };
+export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean; strobe: number };
 /** Forces, velocities and torques; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */

@@ -70,7 +70,7 @@ def swings(time: Floats, values: Floats) -> Swings | None:
     at = _extrema(values, _RIPPLE * reach)
     if len(at) < 4:
         return None
-    extremes = np.array([_vertex(values, i) for i in at])
+    extremes = np.array([_vertex(time, values, i) for i in at])
     centre = _centre(extremes)
     # From the first extreme to the last, since the curve may not oscillate before and after.
     moments = _zero_crossings(time[at[0] : at[-1] + 1], values[at[0] : at[-1] + 1] - centre)
@@ -92,7 +92,8 @@ def _extrema(values: Floats, least: float) -> list[int]:
     turns: list[int] = []
     high = low = 0  # indices of the highest and lowest values since the last turn
     rises: bool | None = None
-    for i, value in enumerate(values.tolist()):
+    corners = _corners(values)
+    for i, value in zip(corners.tolist(), values[corners].tolist(), strict=True):
         if value > values[high]:
             high = i
         if value < values[low]:
@@ -106,11 +107,21 @@ def _extrema(values: Floats, least: float) -> list[int]:
     return [i for i in turns if 0 < i < len(values) - 1]
 
 
-def _vertex(values: Floats, i: int) -> float:
+def _corners(values: Floats) -> NDArray[np.int64]:
+    """Return the indices of the first and the last value, and of those where the curve turns back."""
+    moves = np.flatnonzero(np.diff(values))  # from each of these to the next value
+    rises = values[moves + 1] > values[moves]
+    turns = moves[:-1][rises[1:] != rises[:-1]] + 1  # of a flat top, the first value
+    return np.unique(np.concatenate(([0], turns, [len(values) - 1])))
+
+
+def _vertex(time: Floats, values: Floats, i: int) -> float:
     """Return the extreme of the parabola through three samples."""
-    before, here, after = values[i - 1 : i + 2]
-    bend = before - 2.0 * here + after
-    return float(here - (after - before) ** 2 / (8.0 * bend)) if bend else float(here)
+    (t0, t1, t2), (before, here, after) = time[i - 1 : i + 2], values[i - 1 : i + 2]
+    one, two = (here - before) / (t1 - t0), (after - here) / (t2 - t1)
+    bend = (two - one) / (t2 - t0)
+    slope = one + bend * (t1 - t0)
+    return float(here - slope**2 / (4.0 * bend)) if bend else float(here)
 
 
 def _centre(extremes: Floats) -> float:

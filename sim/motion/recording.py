@@ -105,7 +105,10 @@ class Recording:
 
 
 def table_text(
-    quantities: Iterable[Quantity], rows: Iterable[Sequence[float]], decimal_comma: bool = False
+    quantities: Iterable[Quantity],
+    rows: Iterable[Sequence[float]],
+    decimal_comma: bool = False,
+    frames: Sequence[int] = (),
 ) -> str:
     """The table of some quantities as CSV, see `Recording.to_csv`.
 
@@ -113,10 +116,14 @@ def table_text(
         quantities: what the columns are, beside the time.
         rows: of time and values; a NaN leaves its place empty.
         decimal_comma: see `Recording.to_csv`.
+        frames: for how many frames each row stands, as a last column; empty for none.
     """
     units = ((q.name, q.unit.translate(IN_ASCII)) for q in quantities)
-    head = ["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)]
-    return csv_text([head, *(map(float, row) for row in rows)], decimal_comma, _digits)
+    head: list[object] = ["time [s]", *(f"{name} [{unit}]" if unit else name for name, unit in units)]
+    lines: list[list[object]] = [head, *(list(map(float, row)) for row in rows)]
+    for line, count in zip(lines, ("frames", *frames) if frames else (), strict=False):
+        line.append(count)
+    return csv_text(lines, decimal_comma, _digits)
 
 
 def _digits(value: float) -> str:

@@ -16,6 +16,7 @@ from app.session.session import Session
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import Client, page_of
+from tests.app.whole import WholePage
 
 ALL = frozenset(KINDS)
 
@@ -179,7 +180,7 @@ def test_arrows_are_taken_away_with_their_switches_and_come_back_with_new_ones()
 
 def test_the_switches_stand_below_the_plots_however_many_pages_there_were() -> None:
     orders = [control.order for control in Panel(SessionPage("ring").session).client.gui.there]
-    assert len(orders) == 7
+    assert len(orders) == 8
     assert min(orders) >= ORDER
 
 
@@ -201,3 +202,11 @@ def test_the_page_is_told_which_masses_are_traced() -> None:
     page.client.gui["Length of a trace"].enter("10 s")
     page.panel.clear_traces()
     assert page.letters.last(Tools) == Tools(seconds=10, chosen=9)
+
+
+def test_the_stroboscope_has_an_interval_and_bears_any_text() -> None:
+    page = WholePage("rod")
+    for label, interval in (("every 0.05 s", 0.05), ("every 1 s", 1.0), ("<b>", 0.0), ("off", 0.0)):
+        page.enter("Stroboscope", label)
+        page.frames(1)
+        assert page.client.mail.last(Tools).strobe == interval

@@ -16,14 +16,14 @@ import viser
 from PIL import Image
 
 import sim
-from app.export.plot_picture import plot_png
+from app.export.plot_picture import plot_png, spectrum_png
 from app.features.hands.messages import Pick
-from app.features.measure import plots
+from app.features.measure import analysis, plots
+from app.features.measure.messages import InView
 from app.features.measure.panel import MeasurePanel
 from app.features.measure.phase import phase_svg
 from app.features.measure.plot_list import ADD
 from app.session import commands
-from app.session.history import SPAN
 from app.session.notices import Notice
 from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve, parse_plot
 from app.stage.colors import palette
@@ -110,16 +110,6 @@ def test_a_reset_and_another_scene_begin_anew(page: PlotPage, command: commands.
     page.frames(2, command)
     assert len(page.plot.rows) <= 2
     assert page.plot.rows[-1, 0] == page.simulation.time
-
-
-def test_the_ring_is_bounded_and_in_order(page: PlotPage) -> None:
-    page.frames(1)
-    for i in range(1, 2 * SPAN + 50):
-        page.plot.append((float(i), -float(i)))
-    rows = page.plot.rows
-    assert len(rows) == SPAN
-    assert rows[-1].tolist() == [2 * SPAN + 49, -(2 * SPAN + 49)]
-    assert (np.diff(rows[:, 0]) == 1.0).all()
 
 
 def test_what_is_sent_has_every_peak_and_is_little(page: PlotPage) -> None:
@@ -543,3 +533,131 @@ def test_a_clicked_mass_and_its_springs_can_be_plotted_beside_the_joint() -> Non
     page.enter("Over", "joint0.angle")
     page.enter("New plot")
     assert "joint0.rate over joint0.angle" in page.gui.text()
+
+
+def swinging(names: tuple[str, ...] = ("mass11.y",), over: str = "") -> Plot:
+    """A plot of 20 s of a decaying sine of 1.5 s, with others of twice its size and so on."""
+    plot = Plot(PlotSpec(names, over), sim.load_scene("tutorial-3.3"))
+    times = np.arange(1200) / 60.0
+    values = 30.0 * np.exp(-0.05 * times) * np.sin(2.0 * np.pi * times / 1.5)
+    ring_of(plot, times, *(300.0 + (1 + i) * values for i in range(len(plot.quantities))))
+    return plot
+
+
+def test_a_fitted_curve_is_drawn_over_what_is_in_view_and_its_numbers_have_errors_and_units() -> None:
+    plot = swinging(("mass11.y", "mass10.y"))
+    one, two = analysis.fits_of(plot, (4.0, 10.0), "decaying sine")
+    assert one.ends == (4.0, 10.0)
+    drawn = curve(plot, 20.0, 150)
+    gui, colors = MagicMock(), palette("softrod", dark=False)
+    plots.TimeChart(gui, 0.0).draw(plot, drawn, colors, (one, two))
+    data, lines = gui.add_uplot.call_args.args
+    assert len(data) == len(lines) == 1 + 2 + 2 + 2
+    inside = (drawn.values[0] >= 4.0) & (drawn.values[0] <= 10.0)
+    for fit, whole in zip(data[5:], data[1:3], strict=True):
+        assert fit[inside] == pytest.approx(whole[inside], abs=0.2)
+        assert np.isnan(fit[~inside]).all()
+    assert lines[5]["scale"] == lines[1]["scale"]
+    text = analysis.fits_text(plot, (one, two))
+    assert "mass11.y from 4 s:<br>offset <b>300 px</b><br>amplitude" in text
+    assert "period <b>1.5 s</b>" in text
+    assert "decay rate <b>0.05 1/s</b>" in text
+    slope = analysis.fits_text(plot, analysis.fits_of(plot, 20.0, "line"))
+    assert re.search(r"slope <b>-?[\d.]+ ± [\d.]+ px/s</b>", slope)
+    with Image.open(
+        io.BytesIO(plot_png(plot, drawn, ["#ff0000", "#00ff00"], "A", (one.at, two.at)))
+    ) as image:
+        assert image.size[0] > 1000
+
+
+def test_a_line_is_fitted_over_another_quantity_and_has_the_unit_of_both() -> None:
+    plot = swinging(("spring0.force",), over="mass11.y")
+    (fit,) = analysis.fits_of(plot, 20.0, "line")
+    text = analysis.fits_text(plot, (fit,))
+    assert "slope <b>0.5 (kg px/s²)/px</b>" in text
+    svg = plots.draw_over_another(plot, curve(plot, 20.0, 150), ["#123456"], (fit,))
+    assert svg.count('class="softrod-fit"') == 1
+    assert not set(analysis.OVER_ANOTHER) & {"sine", "spectrum"}
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "said"),
+    [
+        (9.8124, 0.0234, "9.812 ± 0.023"), (-0.5, 3.0, "-0.5 ± 3.0"), (12345.6, 120.0, "12350 ± 120"),
+        (1.5, 1e-12, "1.5"), (0.0, 0.0, "0"), (3.2e-9, 4e-11, "3.200e-09 ± 4.0e-11"),
+    ],
+)  # fmt: skip
+def test_a_number_has_as_many_digits_as_its_error(value: float, error: float, said: str) -> None:
+    assert analysis.with_error(value, error) == said
+
+
+def test_why_nothing_is_fitted_is_said_below_the_plot() -> None:
+    plot = growing(("mass3.y",))
+    assert "an exponential does not converge" in analysis.fits_text(
+        plot, analysis.fits_of(plot, 10.0, "exponential")
+    )
+    short = analysis.fits_of(plot, (1.0, 1.05), "line")
+    assert "mass3.y: a line takes 5 points at least, and 3 are in view" in analysis.fits_text(plot, short)
+    assert np.isnan(short[0].at(np.arange(3.0))).all()
+
+
+def test_a_spectrum_has_its_peaks_labelled_and_is_of_complete_frames() -> None:
+    plot = swinging(("mass11.y", "mass10.x"))
+    drawn = analysis.draw_spectra(plot, 20.0)
+    assert "<b>0.6667 Hz</b>" in drawn.text
+    assert drawn.peaks[0][2] == "0.6667 Hz"
+    assert drawn.amplitudes[1].max() == pytest.approx(2.0 * drawn.amplitudes[0].max(), rel=1e-3)
+    assert len(drawn.frequencies) <= analysis.POINTS
+    gui = MagicMock()
+    plots.SpectrumChart(gui, 0.0).draw(plot, drawn, palette("softrod", dark=False))
+    svg = gui.add_html.call_args.args[0]
+    assert ">0.6667 Hz</text>" in svg
+    assert "<circle" not in svg
+    assert 'data-right="frequency, Hz"' in svg
+    still = Plot(PlotSpec(("mass11.y",)), sim.load_scene("tutorial-3.3"))
+    ring_of(still, np.arange(60) / 60.0, np.full(60, 3.0))
+    nothing = analysis.draw_spectra(still, 20.0)
+    assert "no spectrum" in nothing.text
+    plots.SpectrumChart(gui, 0.0).draw(still, nothing, palette("softrod", dark=False))
+    picture = spectrum_png(plot, *drawn[:3], ["#ff0000", "#00ff00"], "A $")
+    with Image.open(io.BytesIO(picture)) as image:
+        assert image.size[0] > 1000
+
+
+def test_what_is_zoomed_to_is_sent_finely_and_analysed_until_all_is_shown_or_a_reset(
+    measure: MeasureTab,
+) -> None:
+    page, panel = measure.page, measure.panel
+    panel.plot_angle()
+    for _ in range(90):
+        page.frames(1)
+        panel.tick()
+    shown = panel.plots._plots[0]
+    assert shown.chart.handle is not None
+    identity = shown.chart.handle._impl.uuid
+    panel.plots.zoom("nothing", (0.0, 1.0))
+    assert shown.zoom is None
+    panel.plots.zoom(identity, (0.3, 0.8))
+    times = shown.chart.handle.data[0]
+    assert times[0] == pytest.approx(0.3, abs=0.03)
+    assert times[-1] == pytest.approx(0.8, abs=0.03)
+    panel.plots.zoom(identity, None)
+    assert shown.chart.handle.data[0][-1] == pytest.approx(page.simulation.time, abs=0.01)
+    panel.plots.zoom(identity, (0.3, 0.8))
+    page.frames(1, commands.Reset())
+    panel.tick()
+    assert shown.zoom is None
+    assert shown.chart.handle._impl.uuid != identity, "the page's own zoom is gone, too"
+
+
+def test_the_kind_of_analysis_is_chosen_for_each_plot_and_any_text_is_borne() -> None:
+    page = WholePage("rod")
+    page.enter("New plot")
+    for kind in ("<b>", "spectrum"):
+        page.enter("Analysis", kind)
+    page.frames(60)
+    assert "amplitude spectrum of joint0.angle" in page.gui.text()
+    page.enter("Analysis", "none")
+    page.shown(InView("nothing", (1.0, 0.5)))
+    page.enter("Time span", "1 h")
+    assert "amplitude spectrum" not in page.gui.text()

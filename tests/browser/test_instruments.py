@@ -7,6 +7,7 @@ import re
 import numpy as np
 from playwright.sync_api import Locator
 
+import sim
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
@@ -90,6 +91,30 @@ def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page
     desk.until(lambda: not named(desk, "Ruler"), "it is back in the box")
 
 
+def test_a_light_gate_times_a_pendulum_between_frames(open_page: OpenPage) -> None:
+    desk = open_page("pendulum")
+    desk.button("Instruments").click()
+    tool(desk, "Light gate").click()
+    pivot = desk.place(0)
+    # Upright below the pivot, as far as the pendulum reaches and beyond.
+    for grip, y in ((1, pivot[1] + 420.0), (0, pivot[1] + 40.0)):
+        drag(desk, middle(grips(desk, "Light").nth(grip)), (pivot[0], y))
+    desk.until(lambda: "Δt" in named(desk, "Light"), "it has crossed twice")
+    desk.tell(commands.Play(False))
+    time, interval, *_ = numbers(named(desk, "Light"))
+    scene = sim.load_scene("pendulum")
+    swing = sim.Simulation(scene).record(time + 1.0, "mass1.x")
+    offset = swing["mass1.x"] - scene.masses[0].position[0]
+    at = np.flatnonzero(np.diff(np.sign(offset)))
+    crossed = swing.time[at] + np.diff(swing.time)[at] * offset[at] / (offset[at] - offset[at + 1])
+    nearest = int(np.abs(crossed - time).argmin())
+    # The gate stands a pixel or so beside the pivot, and the second crossing comes from the other side.
+    assert abs(crossed[nearest] - time) < 0.01
+    assert abs(np.diff(crossed)[nearest - 1] - interval) < 0.02
+    tool(desk, "Light gate").click()
+    assert not named(desk, "Light")
+
+
 def test_a_finger_drags_a_ruler_out_of_the_box_and_moves_its_end(open_page: OpenPage) -> None:
     desk = open_page(size=(390, 844), phone=True)
     touch = desk.context.new_cdp_session(desk.page)
@@ -162,3 +187,29 @@ def test_a_clicked_mass_is_traced_and_read_out(open_page: OpenPage) -> None:
     desk.until(lambda: len(desk.page.evaluate(line)) < 60, "which is gone after a reset")
     desk.button("Clear the traces").click()
     desk.until(lambda: not desk.page.locator(".softrod-trace").count(), "and no mass is traced any more")
+
+
+def test_the_stroboscope_leaves_images_on_the_canvas_and_in_print(open_page: OpenPage) -> None:
+    desk = open_page("pendulum")
+    desk.show("Measure")
+    desk.choose("Stroboscope", "every 0.1 s")
+    images = desk.page.locator(".softrod-strobe > g > g")
+    desk.until(lambda: images.count() > 5, "there are some")
+    desk.tell(commands.Play(False))
+    desk.rest(3)
+    rings = [images.nth(i).locator(".softrod-strobe-masses") for i in range(images.count())]
+    # The box of each goes from the pivot to the swinging mass.
+    x, y = desk.place(0)
+    for ring in rings[::3]:
+        box = ring.bounding_box()
+        assert box is not None
+        assert box["x"] - 2.0 < x < box["x"] + box["width"] + 2.0
+        assert box["y"] - 2.0 < y < box["y"] + 25.0
+    desk.page.emulate_media(media="print")
+    assert images.first.is_visible()
+    desk.page.emulate_media(media="screen")
+    count = images.count()
+    desk.tell(commands.GoBack(0.5))
+    desk.until(lambda: images.count() <= count - 4, "later ones are gone")
+    desk.choose("Stroboscope", "off")
+    desk.until(lambda: not images.count(), "all are gone")

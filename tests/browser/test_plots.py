@@ -114,6 +114,37 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     desk.until(lambda: not charts(desk) and not desk.tab.probe().plots, "it is gone")
 
 
+def test_a_part_of_a_plot_is_fitted_and_has_a_spectrum(open_page: OpenPage) -> None:
+    desk = open_page("rod")
+    desk.page.keyboard.press("g")
+    desk.until(lambda: charts(desk) and len(charts(desk)[0]["data"][0]) > 30, "the plot runs")
+    desk.until(lambda: desk.simulation.time > 4.0, "it swings")
+    desk.tell(commands.Play(False))
+    desk.page.locator(".softrod-chart").scroll_into_view_if_needed()
+    over = box_of(desk.page.locator(".softrod-chart"))
+    left, right, y = over["x"] + 0.4 * over["width"], over["x"] + 0.9 * over["width"], over["y"] + 60.0
+    desk.page.mouse.move(left, y)
+    desk.page.mouse.down()
+    desk.page.mouse.move(right, y, steps=4)
+    desk.page.mouse.up()
+    time = desk.simulation.time
+    desk.until(lambda: charts(desk)[0]["data"][0][-1] < time - 0.2, "that part alone is sent")
+    first, *_, last = charts(desk)[0]["data"][0]
+    desk.choose("Analysis", "decaying sine")
+    reading = desk.page.locator(".softrod-reading")
+    desk.until(lambda: "decay rate" in reading.inner_text(), "it is fitted")
+    at, *lines = charts(desk)[0]["data"]
+    assert (at[0], at[-1]) == (first, last), "the part is in view as before"
+    assert max(abs(a - b) for a, b in zip(lines[0], lines[-1], strict=True)) < 0.5
+    desk.choose("Analysis", "spectrum")
+    desk.page.get_by_role("img", name="amplitude spectrum of joint0.angle").wait_for()
+    assert not charts(desk)
+    desk.choose("Analysis", "none")
+    desk.until(lambda: charts(desk), "the curve is back")
+    desk.page.locator(".softrod-chart").dblclick()
+    desk.until(lambda: charts(desk)[0]["data"][0][-1] > time - 0.05, "a double click shows all")
+
+
 def test_a_plot_over_another_quantity_reads_values_under_the_pointer(open_page: OpenPage) -> None:
     """`tests/app/test_plots.py` has what is offered, of which mass."""
     desk = open_page("rod")

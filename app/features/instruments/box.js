@@ -14,6 +14,7 @@ const ICONS = {
   ruler: "M3 15 15 3l6 6L9 21zM7 11l2 2M10 8l3 3M13 5l2 2",
   protractor: "M3 18a9 9 0 0 1 18 0zM12 18l5-7M12 18H8",
   stopwatch: "M12 21a8 8 0 1 0 0-16 8 8 0 0 0 0 16zM12 13l3-3M10 2h4",
+  gate: "M3 5h4v14H3zM17 5h4v14h-4zM9 12h1M12 12h1M15 12h1",
 };
 const BOX_ICON = "M3 9h18v11H3zM9 9V5h6v4M3 14h18M12 12v4";
 
@@ -32,7 +33,7 @@ export class Box {
     this.content.setAttribute("role", "group");
     this.lid = makeButton("", () => this.open(this.content.hidden === true), "softrod-box-lid softrod-floats");
     this.lid.innerHTML = labelled(BOX_ICON, "Instruments");
-    this.lid.title = "Instruments: ruler, protractor, stopwatch";
+    this.lid.title = "Instruments: ruler, protractor, stopwatch, light gate";
     this.lid.setAttribute("aria-controls", this.content.id);
     this.content.ariaLabel = this.lid.ariaLabel = "Instruments";
     this.element.append(this.content, this.lid);

@@ -3,7 +3,7 @@
  * How instruments look: SVG over the canvas. A face has grips, which move one point each, and a body, which moves all
  * points. `draw` returns what the instrument reads.
  *
- * @typedef {Ruler | Protractor | Stopwatch} Face
+ * @typedef {Ruler | Protractor | Stopwatch | LightGate} Face
  * @typedef {import("./shapes.js").Place} Place
  * @typedef {import("./shapes.js").Placed} Placed
  * @typedef {import("./shapes.js").Kind} Kind
@@ -21,13 +21,18 @@ const GRIP = 8;
 const REACH = 20;
 /** Width of a ruler, pixels. */
 const WIDTH = 26;
+/** Half the width of a light gate's beam, pixels. */
+const BEAM = 6;
+/** Crossings that a light gate lists, and the width of the list in sizes of its letters. */
+const CROSSINGS = 4;
+const LIST = 15;
 /** Largest radius of a protractor's arc, pixels. */
 const MAX_ARC = 64;
 /** Degrees below which the reading does not fit between the sides of a protractor. */
 const NARROW = 50;
 
 /** @type {Record<Kind, string>} */
-export const NAMES = { ruler: "Ruler", protractor: "Protractor", stopwatch: "Stopwatch" };
+export const NAMES = { ruler: "Ruler", protractor: "Protractor", stopwatch: "Stopwatch", gate: "Light gate" };
 
 /** @param {Element} parent @param {string} names */
 function makeHandle(parent, names) {
@@ -104,7 +109,7 @@ class LineFace extends BaseFace {
     const anchor = Math.abs(side.x) < 0.5 ? "middle" : side.x > 0 ? "start" : "end";
     this.words.forEach((line, i) => {
       line.style.textAnchor = anchor;
-      set(line, { x: at.x, y: at.y + 0.65 * size * side.y + (i - 0.5) * 1.3 * size });
+      set(line, { x: at.x, y: at.y + 0.65 * size * side.y + (i - 0.5 * (lines.length - 1)) * 1.3 * size });
       write(line, lines[i]);
     });
   }
@@ -209,7 +214,40 @@ class Stopwatch extends BaseFace {
   }
 }
 
-const FACES = { ruler: Ruler, protractor: Protractor, stopwatch: Stopwatch };
+class LightGate extends LineFace {
+  /** @param {Element} parent */
+  constructor(parent) {
+    super(parent, ["first end", "second end"], "softrod-instrument-small");
+    this.words.push(...Array.from({ length: CROSSINGS - 2 }, () => makeSvg("text", "softrod-instrument-small", this.group)));
+  }
+
+  /** @param {Placed} placed @param {Sight} seen @param {Place[]} places @param {number} size */
+  draw(placed, { frame, box }, [a, b], size) {
+    const way = towards(a, b);
+    const turned = { x: -way.y, y: way.x };
+    const right = turned.x > 0 || (turned.x === 0 && turned.y > 0) ? turned : { x: way.y, y: -way.x };
+    const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+    // Where there is room for the list.
+    const normal = middle.x + LIST * size > box.right && middle.x - LIST * size > box.left ? { x: -right.x, y: -right.y } : right;
+    const [one, other] = [-BEAM, BEAM].map((far) => [a, b].map((end) => text(beyond(end, normal, far))));
+    set(this.body, { d: `M${one[0]}L${one[1]}L${other[1]}L${other[0]}Z` });
+    const ends = [beyond(a, way, -AWAY), beyond(b, way, AWAY)];
+    set(this.marks, { d: `M${text(ends[0])}L${text(ends[1])}` });
+    this.putGrips(placed, ends);
+    // Later frames may have arrived already than the one that is shown.
+    const crossed = (placed.gate?.crossings ?? []).filter(({ time }) => time <= frame.time).slice(-CROSSINGS).reverse();
+    const several = new Set(crossed.map(({ mass }) => mass)).size > 1;
+    const told = crossed.map(({ mass, time, since }) => {
+      const interval = since === null ? "" : `  Δt ${since.toFixed(3)} s`;
+      return `${time.toFixed(3)} s${interval}${several ? `  mass ${mass}` : ""}`;
+    });
+    const lines = told.length ? told : ["nothing yet"];
+    this.writeLines([...lines, ...Array(CROSSINGS - lines.length).fill("")], beyond(middle, normal, size), normal, size);
+    return lines[0].replaceAll("  ", ", ");
+  }
+}
+
+const FACES = { ruler: Ruler, protractor: Protractor, stopwatch: Stopwatch, gate: LightGate };
 
 /** The face of an instrument. @param {Element} parent @param {Kind} kind @returns {Face} */
 export const newFace = (parent, kind) => new FACES[kind](parent);

@@ -1,4 +1,4 @@
-"""Instruments on the canvas: arrows, traces, coordinates, ruler, protractor and stopwatch."""
+"""Instruments on the canvas: arrows, traces, coordinates, ruler, protractor, stopwatch and light gate."""
 
 from __future__ import annotations
 

@@ -14,12 +14,14 @@ class Tools(State, frozen=True, kw_only=True):
         seconds: length of a path in simulated time, s.
         chosen: the mass that was clicked last, or -1.
         coordinates: whether a label shows position and speed of a mass.
+        strobe: simulated s between two images of the stroboscope; 0 while it is off.
     """
 
     traced: tuple[int, ...] = ()
     seconds: int = 5
     chosen: int = -1
     coordinates: bool = False
+    strobe: float = 0.0
 
 
 class Arrows(Numbers, frozen=True, kw_only=True):

@@ -1,4 +1,4 @@
-"""Switches in the Measure tab for what is measured on the canvas: arrows, traces, coordinates."""
+"""Switches in the Measure tab for what is drawn on the canvas: arrows, traces, coordinates, images."""
 
 from __future__ import annotations
 
@@ -17,6 +17,9 @@ MAX_TRACES = 8
 
 TRACE_SECONDS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
 """Lengths of a trace, simulated s, by their labels."""
+
+STROBE_INTERVALS = {"off": 0.0, **{f"every {each:g} s": each for each in (0.05, 0.1, 0.2, 0.5, 1.0)}}
+"""Intervals of the stroboscope, simulated s, by their labels."""
 
 ORDER = 1e6
 """Order of the first control in the panel: below the plots, which come and go."""
@@ -56,8 +59,14 @@ class ToolsPanel:
         page.button(
             "Clear the traces", viser.Icon.ERASER, lambda: page.later(self.clear_traces), order=ORDER + 4
         )
+        self._strobe = gui.add_dropdown(
+            "Stroboscope",
+            tuple(STROBE_INTERVALS),
+            hint="leaves images of the body at equal intervals of simulated time",
+            order=ORDER + 5,
+        )
         on_change(self._trace, lambda: page.later(partial(self.trace, self._trace.value)))
-        for control in (self._coordinates, self._length):
+        for control in (self._coordinates, self._length, self._strobe):
             on_change(control, lambda: page.later(self._show))
 
     # --------------------------------------------------------------------- the ticker's
@@ -114,5 +123,6 @@ class ToolsPanel:
             seconds=TRACE_SECONDS.get(str(self._length.value), 5),
             chosen=-1 if self._chosen is None else self._chosen,
             coordinates=bool(self._coordinates.value),
+            strobe=STROBE_INTERVALS.get(str(self._strobe.value), 0.0),
         )
         self._mail.send(tools)

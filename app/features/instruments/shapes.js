@@ -1,24 +1,25 @@
 // @ts-check
 /**
- * Ruler, protractor and stopwatch: where they are, what they read, and how they are stored. Arithmetic only, without a
+ * Ruler, protractor, stopwatch and light gate: where they are, what they read, and how they are stored. Arithmetic only, without a
  * page.
  *
  * Their points are in the page's world, so that they stay in place under zoom and pan and are in view in another scene,
  * too. A point on a mass moves with it.
  *
- * @typedef {"ruler" | "protractor" | "stopwatch"} Kind
+ * @typedef {"ruler" | "protractor" | "stopwatch" | "gate"} Kind
  * @typedef {{x: number, y: number}} Place pixels of the window
  * @typedef {{x: number, y: number, mass: number}} Point in the world, and the mass that it is on, or -1
  * @typedef {{since: number | null, before: number, laps: number[]}} Watch a stopwatch of simulated time: when it was
  *   started last, or null while it is stopped; seconds counted before that; seconds at the end of each of the last laps
- * @typedef {{kind: Kind, points: Point[], watch?: Watch}} Placed an instrument on the canvas, as it is stored
+ * @typedef {{kind: Kind, points: Point[], watch?: Watch, gate?: import("./gate.js").Gate}} Placed an instrument
+ *   on the canvas; all but what crossed its gate is stored
  * @typedef {import("../../stage/screen.js").Screen} Screen
  */
 import { roundUp } from "../../stage/axes.js";
 import { nearest, worldAt } from "../../stage/screen.js";
 
 /** Number of points. @type {Record<Kind, number>} */
-const POINTS = { ruler: 2, protractor: 3, stopwatch: 1 };
+const POINTS = { ruler: 2, protractor: 3, stopwatch: 1, gate: 2 };
 /** Pixels within which a point snaps to a mass. */
 export const SNAP = 12;
 /** Pixels between the ticks of a ruler, at least. */

@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * Ruler, protractor and stopwatch: they are dragged out of a box onto the canvas, moved there by pointer or keys, and
+ * Ruler, protractor, stopwatch and light gate: they are dragged out of a box onto the canvas, moved there by pointer or keys, and
  * thrown back into it. The tab's storage has them; they are not part of the scene.
  *
  * @typedef {import("./shapes.js").Kind} Kind
@@ -10,13 +10,15 @@
  */
 import { Box } from "./box.js";
 import { NAMES, newFace } from "./faces.js";
+import { Gate } from "./gate.js";
 import * as shapes from "./shapes.js";
-import { has, onMessage } from "../../wire/channel.js";
+import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
+import { onFrame, shown } from "../../stage/canvas.js";
 import { onMarksRedraw, redrawMarks, sight } from "../../stage/sight.js";
 import { makeSvg } from "../../stage/svg.js";
 import { kept, store } from "../../ui/kept/storage.js";
@@ -34,9 +36,9 @@ const TICK = 100;
 const ANNOUNCE_AFTER = 300;
 
 /** Where its points are when it is placed: pixels from its middle. @type {Record<Kind, [number, number][]>} */
-const LAYOUT = { ruler: [[-70, 0], [70, 0]], protractor: [[90, 0], [0, 0], [45, -78]], stopwatch: [[0, 0]] };
+const LAYOUT = { ruler: [[-70, 0], [70, 0]], protractor: [[90, 0], [0, 0], [45, -78]], stopwatch: [[0, 0]], gate: [[0, -60], [0, 60]] };
 /** Where it is placed without a pointer: fractions of the canvas's width and height. @type {Record<Kind, [number, number]>} */
-const FIRST = { ruler: [0.6, 0.7], protractor: [0.36, 0.5], stopwatch: [0.7, 0.3] };
+const FIRST = { ruler: [0.6, 0.7], protractor: [0.36, 0.5], stopwatch: [0.7, 0.3], gate: [0.5, 0.45] };
 
 /** The instruments of a page. */
 class Instruments {
@@ -66,7 +68,13 @@ class Instruments {
   // ------------------------------------------------------------------- on the canvas and in the box
   /** Puts an instrument onto the canvas. @param {Kind} kind @param {shapes.Point[]} points @param {shapes.Watch} [watch] */
   add(kind, points, watch = shapes.newWatch()) {
-    const instrument = { kind, points, face: newFace(this.svg, kind), ...(kind === "stopwatch" ? { watch } : {}) };
+    const instrument = {
+      kind,
+      points,
+      face: newFace(this.svg, kind),
+      ...(kind === "stopwatch" ? { watch } : {}),
+      ...(kind === "gate" ? { gate: new Gate() } : {}),
+    };
     this.placed.set(kind, instrument);
     this.listen(instrument);
     this.draw(instrument);
@@ -236,6 +244,21 @@ class Instruments {
   }
 }
 
+/** Has the light gate follow the body. @param {Instruments} instruments */
+function watchGate(instruments) {
+  const gate = () => instruments.placed.get("gate");
+  onFrame((frame) => {
+    const { plan } = shown();
+    const { gate: crossed, points } = gate() ?? {};
+    if (crossed && points && plan?.generation === frame.generation) crossed.add(frame, plan, points);
+  });
+  let { scene } = pageState();
+  onMessage("pageState", () => {
+    if (pageState().scene !== scene) gate()?.gate?.clear();
+    ({ scene } = pageState());
+  });
+}
+
 /** Adds the box, and the instruments that were on the canvas before the page was loaded. */
 export function addInstruments() {
   const instruments = new Instruments();
@@ -244,6 +267,7 @@ export function addInstruments() {
     if (index < 0 || event.repeat || event.shiftKey || !isFree(event)) return;
     if (instruments.pressWatch(index)) event.preventDefault();
   });
+  watchGate(instruments);
   onMarksRedraw((seen) => instruments.look(seen));
   setInterval(() => {
     const watch = instruments.placed.get("stopwatch");

@@ -5,7 +5,7 @@ import { onMessage } from "../../wire/channel.js";
 /** @typedef {import("../../wire/wire.js").Tools} Tools */
 
 /** @type {Tools} */
-let state = { tell: "tools", traced: [], seconds: 5, chosen: -1, coordinates: false };
+let state = { tell: "tools", traced: [], seconds: 5, chosen: -1, coordinates: false, strobe: 0 };
 /** @type {(() => void)[]} */
 const listeners = [];
 

@@ -11,7 +11,7 @@ from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from ..hands.messages import Pick
-from .messages import FirstPlot, Seen
+from .messages import FirstPlot, InView, Seen
 from .panel import MeasurePanel
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class MeasureFeature(Feature):
         panel: the Measure tab, or None without that control.
     """
 
-    messages: ClassVar = {Pick: "", Seen: "", FirstPlot: "measure"}
+    messages: ClassVar = {Pick: "", Seen: "", FirstPlot: "measure", InView: "measure"}
     commands: ClassVar = {
         "plot": Row(
             "Plot the joint's angle", _plot_angle, ("G",), "plot the angle of the joint", needs="measure"
@@ -77,6 +77,9 @@ class MeasureFeature(Feature):
                 self.page.soon(lambda: self._choose(mass))
             case FirstPlot():
                 self.page.soon(lambda: self.panel is not None and self.panel.begin())
+            case InView(plot, part):
+                if part is None or part[0] < part[1]:
+                    self.page.soon(lambda: self.panel is not None and self.panel.plots.zoom(plot, part))
             case Seen(tab):
                 self.page.soon(lambda: self._see(tab == "measure"))
 

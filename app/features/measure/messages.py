@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from ...wire.messages import Event, OwnBody
+from msgspec import Meta
+
+from ...wire.messages import Event, Number, OwnBody
 
 
 class ShowMeasures(Event, frozen=True, kw_only=True):
@@ -27,6 +29,18 @@ class Melody(Event, frozen=True, kw_only=True):
 
 class FirstPlot(OwnBody, frozen=True):
     """The Measure tab is shown for the first time: it is to begin with a plot."""
+
+
+class InView(OwnBody, frozen=True):
+    """Which part of a plot over time is in view now.
+
+    Attributes:
+        plot: id of its control.
+        part: from and to, simulated s; null for all of it.
+    """
+
+    plot: Annotated[str, Meta(max_length=60)]
+    part: tuple[Number, Number] | None
 
 
 class Seen(OwnBody, frozen=True):

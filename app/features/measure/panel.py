@@ -19,7 +19,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
 from .messages import ShowMeasures
-from .plot_list import SPANS, PlotList
+from .plot_list import PlotList
 
 BELOW, LAST = 1e5, 1e6
 """Orders of what stands below the plots."""
@@ -56,8 +56,6 @@ class MeasurePanel:
         self._joint = -1
         gui = page.client.gui
         with tab:
-            self._span = gui.add_dropdown("Plots show", tuple(SPANS), initial_value="10 s", order=BELOW)
-            self._span.visible = False
             gui.add_divider(order=BELOW + 1)
             gui.add_html(ABOUT, order=BELOW + 2)
             self._part = gui.add_dropdown("Part", FIRST_PART, order=BELOW + 3)
@@ -79,7 +77,6 @@ class MeasurePanel:
         self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
         for chosen in (self._part, self._what, self._formula):
             on_change(chosen, lambda: page.later(self._offer))
-        on_change(self._span, lambda: page.later(self._set_span))
         on_press(self.new, lambda: page.later(self._add_chosen))
 
     # --------------------------------------------------------------------- the ticker's
@@ -183,12 +180,8 @@ class MeasurePanel:
             self.plots.add(spec)
 
     def _changed(self) -> None:
-        self._span.visible = self._comma_switch.visible = len(self.plots) > 0
+        self._comma_switch.visible = len(self.plots) > 0
         self._offer()
-
-    def _set_span(self) -> None:
-        self.plots.seconds = SPANS.get(self._span.value, 10.0)
-        self.plots.redraw()
 
 
 def _first_free(scene: Scene) -> int:

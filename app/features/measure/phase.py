@@ -16,6 +16,10 @@ Floats = NDArray[np.float64]
 WIDTH, HEIGHT = 310.0, 240.0
 LEFT, RIGHT, TOP, BOTTOM = 58.0, 12.0, 10.0, 40.0
 BESIDE, DIGIT = 24.0, 7.5
+LABEL = 60.0
+"""Width of the label of a peak."""
+_ABOVE = 1.1
+"""Factor by which an axis is longer, for the label of the highest peak."""
 TICKS = 5
 """Marks of an axis, about."""
 
@@ -31,25 +35,31 @@ def ticks(low: float, high: float) -> list[float]:
 def phase_svg(
     x: Floats,
     ys: Floats,
-    past: int,
+    past: int | None,
     colors: Sequence[str],
     labels: tuple[str, str],
     name: str,
     turned: bool = False,
+    fits: Sequence[tuple[Floats, Floats]] = (),
+    peaks: Sequence[tuple[float, float, str]] = (),
 ) -> str:
     """The plot; a disc marks the moment that is shown, and what is ahead of it is pale.
 
     Args:
         x: (k,) values along the axis to the right.
         ys: (quantities, k) values of each quantity that is plotted upwards.
-        past: how many of the k are not ahead of the moment that is shown.
+        past: how many of the k are not ahead of the moment that is shown; None if they are of no moments.
         colors: of each quantity, as CSS has them.
         labels: of the axes, to the right and upwards.
         name: what it is, for screen readers.
         turned: whether values of `ys` grow downwards.
+        fits: curves over it, each by its places to the right and upwards.
+        peaks: of a spectrum: place to the right, height and label, which is left out where there is no room.
     """
     ranges = [_range(x), _range(ys)]
     (x_low, x_high), (y_low, y_high) = ranges
+    if past is None and x.size:
+        x_low, x_high, y_low, y_high = float(x[0]), float(x[-1]), 0.0, _ABOVE * y_high
     y_bottom, y_top = (y_high, y_low) if turned else (y_low, y_high)
     right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
     marks = {value: f"{value:.6g}" for value in ticks(y_low, y_high)}
@@ -76,18 +86,32 @@ def phase_svg(
     texts.append(
         f'<text transform="translate(11 {middle_y}) rotate(-90)" text-anchor="middle">{upwards}</text>'
     )
-    curves = []
-    for y, color in zip(ys, colors, strict=True):
-        points = [
+
+    def places(x: Floats, y: Floats) -> list[str]:
+        return [
             f"{across(a):.1f} {up(b):.1f}" if math.isfinite(a) and math.isfinite(b) else ""
             for a, b in zip(x.tolist(), y.tolist(), strict=True)
         ]
-        for part, kind in ((points[max(past - 1, 0) :], "softrod-ahead"), (points[:past], "")):
+
+    curves = []
+    for y, color in zip(ys, colors, strict=True):
+        points = places(x, y)
+        ahead = points[max(past - 1, 0) :] if past is not None else []
+        for part, kind in ((ahead, "softrod-ahead"), (points[:past], "")):
             if len(part) > 1 and (path := _path(part)):
                 curves.append(f'<path class="{kind}" d="{path}" style="stroke:{color}"/>')
         if past and points[past - 1]:
             cx, cy = points[past - 1].split()
             curves.append(f'<circle cx="{cx}" cy="{cy}" r="4" style="fill:{color}"/>')
+    curves += [f'<path class="softrod-fit" d="{_path(places(*fit))}"/>' for fit in fits]
+    free: list[float] = []
+    for value, height, label in sorted(peaks, key=lambda peak: -peak[1]):
+        at = across(value)
+        if all(abs(at - other) >= LABEL for other in free):
+            free.append(at)
+            at = min(max(at, left + 0.5 * LABEL), right - 0.5 * LABEL)
+            y, label = up(height) - 5.0, html.escape(label)
+            texts.append(f'<text x="{at:.1f}" y="{y:.1f}" text-anchor="middle">{label}</text>')
     # For phase.js, which reads the values under the pointer.
     edges = f"{left:g} {right:g} {bottom:g} {TOP:g}"
     ends = " ".join(f"{end:.9g}" for end in (x_low, x_high, y_bottom, y_top))

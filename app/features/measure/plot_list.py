@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 import viser
 
+from sim.analysis.curves import CURVES
 from sim.errors import InputError
 from sim.scene.types import shown_name
 from sim.store import files
 
 from ...background import file_worker
 from ...session.notices import Notice
-from ...session.plots import MAX_PLOTS, Plot, PlotSpec, curve
+from ...session.plots import MAX_PLOTS, Plot, PlotSpec, Span, curve
 from ...stage.colors import palette
 from ...ui.page import Page
-from . import plots
+from ...ui.viser.handlers import on_change
+from ...viser_inside import element_id
+from . import analysis, plots
 from .messages import Melody
 
 EVERY = 0.1
@@ -29,8 +33,11 @@ READ_EVERY = 0.5
 PIECES = 150
 """Pieces of a curve from left to right, each with its highest and lowest value."""
 
-SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "60 s": 60.0}
+SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "1 min": 60.0, "10 min": 600.0, "1 h": 3600.0}
 """How much time a plot shows, s, by its label."""
+
+SPAN = "10 s"
+"""What a new plot shows."""
 
 ADD, TABLE, PICTURE, HEAR, REMOVE = "Add to it", "CSV", "Picture", "Hear", "Remove"
 """Buttons below a plot."""
@@ -51,61 +58,144 @@ class _OpenPlot:
     Attributes:
         plot: what it shows.
         chart: its drawing.
+        seconds: how much time it shows, s.
+        zoom: the part of the time that is shown instead, from and to, s; None for no part.
+        run: of the plot in which that part is.
         sent: the version of the plot that `PlotList.tick` sent last; -1 for none. A new chart does not count:
             its lines are pale until it is updated.
     """
 
     def __init__(self, plot: Plot, page: Page, tab: viser.GuiTabHandle, order: float, is_own: bool) -> None:
-        self.plot, self.sent = plot, -1
+        self.plot, self.sent, self.seconds = plot, -1, SPANS[SPAN]
+        self.zoom: tuple[float, float] | None = None
+        self.run = 0
+        self._analysis, self._order, self._is_removed = analysis.NONE, order, False
+        self._fits: tuple[analysis.Fit, ...] = ()
         self._page, self._tab, self._is_own = page, tab, is_own
         gui = page.client.gui
-        self.chart = (plots.PhaseChart if plot.spec.over else plots.TimeChart)(gui, order + 1)
+        self.chart = self._new_chart()
         with tab:
             self._title = gui.add_html("", order=order)
             self._reading = gui.add_html("", order=order + 2)
             labels = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
             self.buttons = gui.add_button_group("", labels, order=order + 3)
+            self._lists = self._add_lists(order + 4) if is_own else ()
+
+    def _add_lists(self, order: float) -> tuple[viser.GuiDropdownHandle[str], ...]:
+        """Add what a user chooses for this plot alone."""
+        page, gui = self._page, self._page.client.gui
+        span = gui.add_dropdown("Time span", tuple(SPANS), initial_value=SPAN, order=order)
+        kinds = analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
+        kind = gui.add_dropdown("Analysis", kinds, initial_value=analysis.NONE, order=order + 1)
+        on_change(span, lambda: page.later(partial(self._set_span, span.value)))
+        on_change(kind, lambda: page.later(partial(self._prepare, kind.value)))
+        return span, kind
+
+    def _set_span(self, label: str) -> None:
+        self.seconds = SPANS.get(label, self.seconds)
+        self.renew()
+
+    def _prepare(self, kind: str) -> None:
+        """Analyse by another kind, once what it takes is loaded."""
+        offered = analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
+        if kind not in offered:  # a page can send any text
+            return
+
+        def load() -> None:
+            import scipy.optimize  # noqa: F401 - it would hold up a frame
+
+            self._page.later(partial(self._analyse, kind))
+
+        if kind in CURVES:
+            file_worker.submit(load)
+        else:
+            self._analyse(kind)
+
+    def _analyse(self, kind: str) -> None:
+        self._analysis, self._fits = kind, ()
+        self.renew(self.zoom)
+
+    @property
+    def _span(self) -> Span:
+        """The time that is in view."""
+        return self.zoom or self.seconds
+
+    def _new_chart(self) -> plots.TimeChart | plots.PhaseChart | plots.SpectrumChart:
+        gui, order = self._page.client.gui, self._order + 1
+        if self._analysis == analysis.SPECTRUM:
+            return plots.SpectrumChart(gui, order)
+        return (plots.PhaseChart if self.plot.spec.over else plots.TimeChart)(gui, order)
+
+    def zoom_to(self, part: tuple[float, float] | None) -> None:
+        """Show a part of the time, as the page does already."""
+        self.zoom, self.run = part, self.plot.run
+        self.show(reads=True)
+
+    def renew(self, zoom: tuple[float, float] | None = None) -> None:
+        """Draw it anew, with other lines or another part of the time."""
+        if self._is_removed:
+            return
+        self.chart.remove()
+        self.zoom, self.chart, self.sent = zoom, self._new_chart(), -1
+        self.show(reads=True)
 
     def remove(self) -> None:
         """Remove it from the page."""
-        for handle in (self._title, self._reading, self.buttons):
+        self._is_removed = True
+        for handle in (self._title, self._reading, self.buttons, *self._lists):
             handle.remove()
         self.chart.remove()
 
-    def show(self, seconds: float, reads: bool) -> None:
-        """Send the last seconds; with `reads`, period and damping, too."""
+    def show(self, reads: bool) -> None:
+        """Send what it shows; with `reads`, period and damping, too."""
         page, plot = self._page, self.plot
         colors = palette(page.session.scene.view.colors, page.looks.dark)
         with page.client.atomic(), self._tab:
-            self.chart.draw(plot, curve(plot, seconds, PIECES), colors)
             if reads:
                 self._title.content = plots.title(plot, plots.colors_of(plot, colors))
+            if isinstance(self.chart, plots.SpectrumChart):
+                if reads:
+                    spectra = analysis.draw_spectra(plot, self._span)
+                    self.chart.draw(plot, spectra, colors)
+                    self._reading.content = spectra.text
+                return
+            if reads and self._analysis in CURVES:
+                self._fits = analysis.fits_of(plot, self._span, self._analysis)
+                self._reading.content = analysis.fits_text(plot, self._fits)
+            elif reads:
                 # In a lesson, it is not the user who plots something that does not swing.
-                self._reading.content = plots.reading(
-                    plot, seconds, "no regular swing" if self._is_own else ""
-                )
+                none = "no regular swing" if self._is_own else ""
+                self._reading.content = plots.reading(plot, self._span, none)
+            self.chart.draw(plot, curve(plot, self._span, PIECES), colors, self._fits)
 
     # --------------------------------------------------------------------- buttons
-    def download(self, _: float) -> None:
+    def download(self) -> None:
         """Send all values as a table."""
         self._send(".csv", self.plot.table(self._page.commas.on).encode())
 
-    def draw_picture(self, seconds: float) -> None:
+    def draw_picture(self) -> None:
         """Send the plot as it is shown, as a picture; in another thread, since matplotlib is slow."""
         scene, plot = self._page.session.scene, self.plot
-        drawn = curve(plot, seconds, PICTURE_PIECES)
+        is_spectrum = self._analysis == analysis.SPECTRUM
+        spectra = analysis.draw_spectra(plot, self._span, PICTURE_PIECES) if is_spectrum else None
+        drawn = curve(plot, self._span, PICTURE_PIECES)
+        fits = tuple(fit.at for fit in self._fits)
         colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), shown_name(scene)
 
         def make() -> None:
-            from ...export.plot_picture import plot_png  # matplotlib does not delay the start
+            from ...export.plot_picture import plot_png, spectrum_png  # matplotlib does not delay the start
 
-            self._send(".png", plot_png(plot, drawn, colors, title))
+            if spectra is None:
+                data = plot_png(plot, drawn, colors, title, fits)
+            else:
+                data = spectrum_png(plot, *spectra[:3], colors, title)
+            self._send(".png", data)
 
         file_worker.submit(make)
 
-    def play(self, seconds: float) -> None:
+    def play(self) -> None:
         """Send the past of the first quantity as a melody."""
-        quantity, rows = self.plot.quantities[0], self.plot.window(seconds)
+        quantity, rows = self.plot.quantities[0], self.plot.window(self._span)
         if not len(rows):
             return
         times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
@@ -131,7 +221,6 @@ class PlotList:
 
     Attributes:
         looked_at: whether the plots are visible; hidden ones record values, but are not sent.
-        seconds: how much time they show, s.
     """
 
     def __init__(
@@ -149,7 +238,6 @@ class PlotList:
         self._due = self._read_due = 0.0
         self._count = 0
         self.looked_at = True
-        self.seconds = 10.0
 
     def __len__(self) -> int:
         return len(self._plots)
@@ -204,6 +292,8 @@ class PlotList:
         session, now = self._session, self._session.now()
         for shown in self._plots:
             shown.plot.sample(session)
+            if shown.zoom is not None and shown.run != shown.plot.run:
+                shown.renew()
         if now < self._due or not self.looked_at:
             return
         self._due = now + EVERY
@@ -212,7 +302,7 @@ class PlotList:
             self._read_due = now + READ_EVERY
         for shown in self._plots:
             if shown.sent != shown.plot.version:
-                shown.show(self.seconds, reads)
+                shown.show(reads)
                 if reads:
                     shown.sent = shown.plot.version
 
@@ -232,23 +322,30 @@ class PlotList:
         self._plots.append(shown)
         presses = {
             TABLE: shown.download, PICTURE: shown.draw_picture, HEAR: shown.play,
-            ADD: lambda _: self._extend(shown), REMOVE: lambda _: self._remove(shown),
+            ADD: partial(self._extend, shown), REMOVE: partial(self._remove, shown),
         }  # fmt: skip
 
         @shown.buttons.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
             label = event.target.value
             if event.client_id is not None and label in shown.buttons.options:
-                self._page.later(lambda: presses[label](self.seconds))
+                self._page.later(presses[label])
 
         plot.sample(self._session)
         self._changed()
-        shown.show(self.seconds, reads=True)
+        shown.show(reads=True)
+
+    def zoom(self, control: str, part: tuple[float, float] | None) -> None:
+        """Show a part of the time of the plot whose chart has this id, or all of it."""
+        for shown in self._plots:
+            handle = shown.chart.handle
+            if handle is not None and element_id(handle) == control:
+                shown.zoom_to(part)
 
     def redraw(self) -> None:
         """Send all plots."""
         for shown in self._plots:
-            shown.show(self.seconds, reads=True)
+            shown.show(reads=True)
 
     def _remove(self, shown: _OpenPlot) -> None:
         if shown not in self._plots:
@@ -274,4 +371,4 @@ class PlotList:
         shown.chart.remove()
         shown.plot, shown.sent = plot, -1
         plot.sample(self._session)
-        shown.show(self.seconds, reads=True)
+        shown.show(reads=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,10 +14,11 @@ from viser import uplot
 import sim
 from sim.analysis.swings import swings
 
-from ...session.plots import Plot, PlotWindow
+from ...session.plots import Plot, PlotWindow, Span
 from ...stage.colors import Palette
 from ...stage.looks import FONT
 from ...ui import readouts
+from .analysis import DrawnSpectrum, Fit
 from .phase import phase_svg
 
 _COLORS = ("brand", "pulled", "torque_plus", "torque_minus", "held")
@@ -29,8 +30,14 @@ _FONT = f"12px {FONT}"
 _MAX_LABEL = 26
 """Letters of an axis label that fit."""
 
+FIT_POINTS = 100
+"""Points of a curve over another quantity."""
+
 HEIGHT = 220
 """Height of a chart, pixels."""
+
+_PER_PERIOD = 3
+"""Thinned rows in a period, at least, by which it is read: of a faster swing they have the envelope only."""
 
 PALE = 0.35
 """Opacity of values that are later than the moment shown."""
@@ -58,7 +65,12 @@ class TimeChart:
             self._chart.remove()
         self._chart = None
 
-    def draw(self, plot: Plot, drawn: PlotWindow, colors: Palette) -> None:
+    @property
+    def handle(self) -> viser.GuiUplotHandle | None:
+        """viser's handle; None before it is drawn."""
+        return self._chart
+
+    def draw(self, plot: Plot, drawn: PlotWindow, colors: Palette, fits: Sequence[Fit] = ()) -> None:
         """Send the values, and lines and axes if they have changed."""
         series = colors_of(plot, colors)
         # uPlot takes the first value of a line as a number when it determines ranges, so that must exist.
@@ -75,10 +87,11 @@ class TimeChart:
         if ahead or self._chart is None:  # viser creates charts with lines of equal length only
             until, whole = values.copy(), list(values[1:])
             until[1:, past:] = np.nan
-        data = *until, *whole
+        data = *until, *whole, *(fit.at(values[0]) for fit in fits)
         before = self._looks
         self._looks = plot.spec, *series, colors.css("text"), *some.tolist(), plot.units, plot.turned
-        lines, axes = _lines(plot, series, some), _axes(plot, colors)
+        lines = *_lines(plot, series, some), *_fit_lines(plot, fits, colors)
+        axes = _axes(plot, colors)
         if self._chart is None:
             self._chart = self._create(plot, data, lines, axes)
             return
@@ -103,8 +116,10 @@ class TimeChart:
         )
 
 
-class PhaseChart:
-    """A plot over another quantity than time, as SVG; arguments and methods are those of `TimeChart`."""
+class SvgChart:
+    """A plot that the server draws, as SVG; arguments are those of `TimeChart`."""
+
+    handle = None
 
     def __init__(self, gui: viser.GuiApi, order: float) -> None:
         self._gui, self._order = gui, order
@@ -116,22 +131,46 @@ class PhaseChart:
             self._chart.remove()
         self._chart = None
 
-    def draw(self, plot: Plot, drawn: PlotWindow, colors: Palette) -> None:
+    def put(self, content: str) -> None:
         """Send the drawing."""
-        content = draw_over_another(plot, drawn, colors_of(plot, colors))
         if self._chart is None:
             self._chart = self._gui.add_html(content, order=self._order)
         else:
             self._chart.content = content
 
 
-def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str]) -> str:
+class PhaseChart(SvgChart):
+    """A plot over another quantity than time; arguments and methods are those of `TimeChart`."""
+
+    def draw(self, plot: Plot, drawn: PlotWindow, colors: Palette, fits: Sequence[Fit] = ()) -> None:
+        """Send the drawing."""
+        self.put(draw_over_another(plot, drawn, colors_of(plot, colors), fits))
+
+
+class SpectrumChart(SvgChart):
+    """The amplitude spectra of a plot."""
+
+    def draw(self, plot: Plot, drawn: DrawnSpectrum, colors: Palette) -> None:
+        """Send the drawing."""
+        labels = "frequency, Hz", f"amplitude of {_labelled(plot.quantities)}"
+        name = f"amplitude spectrum of {', '.join(plot.spec.names)}"
+        series = colors_of(plot, colors)
+        self.put(
+            phase_svg(drawn.frequencies, drawn.amplitudes, None, series, labels, name, peaks=drawn.peaks)
+        )
+
+
+def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits: Sequence[Fit] = ()) -> str:
     """Return a plot over another quantity than time, as HTML."""
     count, values = len(plot.spec.names), drawn.values
     turned = any(plot.turned)
     labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
     name = f"{', '.join(plot.spec.names)} over {plot.spec.over}"
-    return phase_svg(values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name, turned)
+    places = [np.linspace(*fit.ends, FIT_POINTS) for fit in fits]
+    curves = [(x, fit.at(x)) for x, fit in zip(places, fits, strict=True)]
+    return phase_svg(
+        values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name, turned, curves
+    )
 
 
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
@@ -150,6 +189,20 @@ def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[
         until.append({**line, "class": "softrod-until"})
         whole.append({**line, "class": "softrod-whole", "alpha": PALE})
     return {"label": "time, s"}, *until, *whole
+
+
+def _fit_lines(plot: Plot, fits: Sequence[Fit], colors: Palette) -> tuple[uplot.Series, ...]:
+    return tuple(
+        {
+            "label": f"fit to {quantity.name}",
+            "stroke": colors.css("text"),
+            "width": 1.0,
+            "scale": f"y{plot.units.index(quantity.unit)}",
+            "points": {"show": False},
+            "class": "softrod-fit",
+        }
+        for quantity, _ in zip(plot.quantities, fits, strict=False)
+    )
 
 
 def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
@@ -223,23 +276,25 @@ def title(plot: Plot, series: Sequence[str]) -> str:
     return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
 
 
-def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
+def reading(plot: Plot, span: Span, none: str = "no regular swing") -> str:
     """Return period, amplitude and damping of each oscillating quantity, as HTML.
 
-    They are those of the whole window, or of its last half or quarter if the motion was different before.
+    They are those of the whole window, or of its last half or quarter if the motion was different before; of
+    shorter parts, too, if only these have all frames.
 
     Args:
         plot: the plot.
-        seconds: length of the window, s.
+        span: the window.
         none: text if nothing oscillates.
     """
-    rows = plot.window(seconds)
+    rows = plot.window(span)
+    parts = list(_parts(rows[:, 0], plot.complete_since))
     lines = []
     for i, quantity in enumerate(plot.quantities[: len(plot.spec.names)], start=1):
-        for begin in (0, len(rows) // 2, 3 * len(rows) // 4):
+        for begin, longest in parts:
             time, values = rows[begin:, 0], rows[begin:, i]
             found = None if np.isnan(values).any() else swings(time, values)
-            if found is not None:
+            if found is not None and longest <= found.period / _PER_PERIOD:
                 loss = f", loses {100.0 * found.loss:.2g} % per cycle" if found.decrement is not None else ""
                 amplitude = f"{readouts.grouped(found.amplitude)} {quantity.unit}".strip()
                 lines.append(
@@ -248,3 +303,17 @@ def reading(plot: Plot, seconds: float, none: str = "no regular swing") -> str:
                 )
                 break
     return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or none}</div>'
+
+
+def _parts(time: NDArray[np.float64], complete_since: float) -> Iterator[tuple[int, float]]:
+    """Yield the first row of each part of a window to read, with the longest interval of thinned rows."""
+    if not time.size:
+        return
+    begin, part = 0, 1.0
+    while True:
+        thinned = int(np.searchsorted(time, complete_since))
+        yield begin, float(np.diff(time[begin : thinned + 1]).max(initial=0.0))
+        if part <= 0.25 and begin >= thinned:
+            return
+        part *= 0.5
+        begin = int(np.searchsorted(time, time[-1] - part * (time[-1] - time[0])))

@@ -4,6 +4,7 @@
  * across the plot shows that part alone, and a double click all of it.
  */
 import { makeSvg } from "../../stage/svg.js";
+import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
 import { Control, newId } from "./control.js";
 
@@ -85,7 +86,7 @@ export class Plot extends Control {
     });
     this.svg.addEventListener("pointerup", ({ offsetX }) => this.release(offsetX));
     this.svg.addEventListener("pointercancel", () => (this.from = null));
-    this.svg.addEventListener("dblclick", () => this.show(true, null));
+    this.svg.addEventListener("dblclick", () => this.showPart(null));
     new ResizeObserver(() => this.draw()).observe(this.svg);
   }
 
@@ -110,6 +111,12 @@ export class Plot extends Control {
     this.zoom = zoom;
     super.show(valued);
     this.draw();
+  }
+
+  /** Shows a part of the time, of which the server sends more, and analyses it. @param {[number, number] | null} part */
+  showPart(part) {
+    this.show(true, part);
+    send({ do: "inView", plot: this.id, part });
   }
 
   /** The range of a scale, from the bottom to the top. @param {string} scale @param {number} low @param {number} high */
@@ -220,7 +227,7 @@ export class Plot extends Control {
     if (from === null || Math.abs(x - from) < LEAST_DRAG) return;
     const { left, right, low, high } = this.inside;
     const [a, b] = [from, x].map((place) => low + ((high - low) * (Math.min(Math.max(place, left), right) - left)) / (right - left));
-    this.show(true, [Math.min(a, b), Math.max(a, b)]);
+    this.showPart([Math.min(a, b), Math.max(a, b)]);
   }
 }
 
