@@ -6,7 +6,7 @@ brake above it. A torque t on a spring with the vector L is a pair of forces, t 
 a end, where n = (-L.y, L.x) / |L|². So with V' = n_B . B' - n_A . A' for the second spring B and the first A,
 the power of a motor is t V', its derivatives are those of t n, and dt/dV' = -(T - t² / T) / s.
 
-A motor that is steered by keys turns with the sign that `State.steer` has, and exerts nothing where that is
+The wanted rate of a motor that is steered by keys has the sign of `State.steer`: it holds still where that is
 0.
 """
 
@@ -95,7 +95,7 @@ def _turning(body, state, q, v, k):
     rate = bx * bu + by * bv - ax * au - ay * av
     way = 1.0 if motors.steer[k] < 0 else state.steer[motors.steer[k]]
     part = tanh((way * motors.rows[k, 0] - rate) / motors.rows[k, 2])
-    most = motors.rows[k, 1] if way != 0.0 else 0.0
+    most = motors.rows[k, 1]
     return a, b, (ax, ay), (bx, by), rate, most * part, most * (1.0 - part * part) / motors.rows[k, 2]
 
 
@@ -202,7 +202,7 @@ class MotorsReference:
         arm, rate = self._arms(x), v[self._end] - v[self._start]
         of_each = (arm.conj() * rate).real
         way = np.where(self._motors.steer < 0, 1.0, self._state.steer[np.maximum(self._motors.steer, 0)])
-        return torque * np.abs(way) * np.tanh((way * speed - (of_each[1] - of_each[0])) / slip)
+        return torque * np.tanh((way * speed - (of_each[1] - of_each[0])) / slip)
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Reference`."""

@@ -100,7 +100,8 @@ class Motor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         torque: 0..1e18 kg px²/s², the largest torque.
         slip: 1e-3..1e5 °/s, how far the rate is off where three quarters of the torque act.
         keys: "left-right" for a motor that turns only while Right is held, or backwards while Left is;
-            "up-down" the same with Up and Down; omitted in files if it always turns.
+            "up-down" the same with Up and Down. Without a key it holds still. Omitted in files if it always
+            turns.
     """
 
     speed: Annotated[float, bounded(-1e5, 1e5, "°/s", "Speed of a motor")] = 180.0

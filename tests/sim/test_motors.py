@@ -89,7 +89,7 @@ def test_its_work_is_in_the_balance() -> None:
 
 
 def test_keys_steer_it() -> None:
-    """Only while they are held, and to both sides; the same bits from a moment."""
+    """It turns while they are held, to both sides, and else holds still; the same bits from a moment."""
     scene = crank(Motor(speed=180.0, torque=1e5, slip=10.0, keys="left-right"))
     simulation = sim.Simulation(by(scene, "velocity_verlet", dt=2e-4))
     simulation.advance(0.2)
@@ -107,6 +107,7 @@ def test_keys_steer_it() -> None:
         assert np.hypot(*simulation.velocities[2]) == pytest.approx(math.pi * ARM, rel=0.01)
         simulation.keys = ()
         simulation.advance(0.3)
+        assert np.abs(simulation.velocities).max() < 1.0
         ends.append(simulation.positions)
     assert (ends[0] == ends[2]).all() and (ends[1] == ends[3]).all()
 
