@@ -45,6 +45,7 @@ _SWING = 0.5
 _SAMPLE = 1.0 / 60.0
 """Time between two samples, s."""
 _LONGEST_RUN = 1e4
+"""Longest simulated duration that `predictability` accepts, s."""
 _MASS_STEPS = 20_000_000
 """Default number of steps that `predictability` may try, times the number of masses."""
 

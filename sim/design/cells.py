@@ -22,6 +22,7 @@ _GROUPED = re.compile(
 )
 _INFINITE = re.compile(r"[-+]?(?:inf(?:inity)?|∞)", re.IGNORECASE)
 _MAX_LETTERS = 80
+"""Largest number of characters of a cell that a message quotes."""
 
 
 def is_gap(cell: str) -> bool:

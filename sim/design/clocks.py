@@ -44,6 +44,7 @@ _MINUTES = re.compile(r"(?P<m>\d{1,4}):(?P<s>[0-5]\d)[.,](?P<part>\d{1,9})", re.
 _HALF_TOLD = re.compile(r"\d{1,4}:[0-5]?\d", re.ASCII)
 
 DAY = 86400.0
+"""Seconds in a day."""
 
 
 def is_clock(name: str) -> bool:

@@ -33,6 +33,7 @@ from .residuals import Problem
 Floats = NDArray[np.float64]
 
 _CONFIDENCE = 0.95
+"""Probability that an interval contains the true value, the usual one."""
 _STEP = 3e-4
 """Step of u in finite differences."""
 _UNKNOWN = 0.5

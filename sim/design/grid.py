@@ -14,7 +14,9 @@ from .clocks import is_clock, is_date, is_time_of_day, seconds_of, unit_in_name
 from .units import is_unit
 
 MAX_ROWS = 20_000
+"""Largest number of rows of a table; larger ones are refused."""
 MAX_COLUMNS = 200
+"""Largest number of columns of a table; larger ones are refused."""
 
 Row = tuple[int, list[str]]
 """Line number and cells of a line."""

@@ -27,6 +27,7 @@ _SMALL = 1e-3
 _REACH = 1e4
 """Largest factor by which a fit changes a number."""
 _RADIAN = 57.29577951308232
+"""Degrees in a radian."""
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ ADDRESSES = np.zeros(256, np.int64)
 force does not have. They are shared by all bodies, see `forces.environment.Environment.calls`."""
 
 NONE = -1
+"""Address that stands for a kernel that a force does not have."""
 
 
 def address_of(kernel: Any, signature: Any) -> int:

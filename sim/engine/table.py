@@ -45,7 +45,8 @@ Indices = NDArray[np.int64]
 _NUMBERS = {"int": types.int64, "bool": types.boolean, "float": types.float64}
 _ARRAYS = {"Floats": (types.float64, 1), "Rows": (types.float64, 2), "Indices": (types.int64, 1)}
 _WORD, _DOUBLE = ir.IntType(64), ir.DoubleType()  # LLVM's types
-_ITEM = 8  # bytes of a float, an integer and a pointer
+_ITEM = 8
+"""Size of a float, an integer and a pointer, bytes."""
 _AT: Any = (ctypes.c_char * 0).from_buffer  # zero bytes at the start of any writable buffer
 
 

@@ -17,6 +17,7 @@ from ..engine.tables import Tableau
 Floats = NDArray[np.float64]
 """An array of floats of any shape."""
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _GROWTH = 0.5
 """Growth rate of a motion, 1/s, that is tolerated: with some Runge-Kutta methods, such as those of order 2,
 undamped motions grow very slowly at any step."""

@@ -69,8 +69,8 @@ RK4 = explicit(
 )
 """Kutta 1901: the classical method."""
 
-# The coefficients a of the last stage, which are repeated in the weights.
 _LAST = (1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950)
+"""Coefficients a of the last stage of RODAS, which are repeated in the weights."""
 
 RODAS4 = rosenbrock(
     gamma=0.25,
@@ -98,7 +98,6 @@ RODAS4 = rosenbrock(
 )
 """Hairer & Wanner 1996: order 4 with an error estimate of order 3, stiffly accurate (code RODAS)."""
 
-# The same for RODAS 5P.
 _LAST5 = (
     -7.502846399306121,
     2.561846144803919,
@@ -106,6 +105,7 @@ _LAST5 = (
     -0.18268767659942256,
     0.030198172008377946,
 )
+"""The same for RODAS 5P."""
 
 RODAS5P = rosenbrock(
     gamma=0.21193756319429014,

@@ -45,16 +45,20 @@ from ..term import Places
 from .broad_phase import meeting, reach_of, segment
 from .push import losses, push_and_friction, softened, tangential_spring
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _APART = 1.25
-"""Distance, as a multiple of that of contact, below which a mass never touches a spring of its own body."""
+"""Distance, as a multiple of that of contact, below which a mass never touches a spring of its own body.
+Halved, `test_a_body_does_not_touch_itself_as_it_is_built` fails."""
 _MARGIN = 0.5
 """Margin of the list of pairs, as a fraction of the distance of contact or of a typical spring's length."""
 _TYPICAL = 1.5
 """Mobility of a pair, in those of the median mass, by which it is damped: that in the middle of a spring."""
 _ROOM = 64
-"""Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer."""
+"""Room in the list, in masses for each spring. If it does not suffice, finding pairs takes longer. Halved,
+`test_the_list_has_all_pairs_that_are_near` fails."""
 TANGENTIAL_ROOM = 8
-"""Room for tangential springs, for each spring. A place takes 56 bytes; pairs that find none do without."""
+"""Room for tangential springs, for each spring. A place takes 56 bytes; pairs that find none do without.
+Halved, `test_many_pairs_are_pushed_like_a_few` fails."""
 
 
 # ------------------------------------------------------------------------- rows, and how a scene gives them

@@ -21,12 +21,14 @@ POWER = 2
 DAMPER_ROWS = 3
 """Number of these rows."""
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _SWINGING = 2.0
-"""Mean power, relative to the power at the mean rate, above which the rate counts as oscillating."""
+"""Mean power, relative to the power at the mean rate, above which the rate counts as oscillating. Doubled,
+`test_the_balance_closes_at_any_damping` fails."""
 
 _QUICKLY = 4.0
 """Step length, in time constants of a damper, from which an oscillating rate must be an error, since its
-masses could not oscillate so fast."""
+masses could not oscillate so fast. Doubled, `test_a_damper_takes_what_its_masses_had_of_each_other` fails."""
 
 
 @kernel(fastmath=FAST)

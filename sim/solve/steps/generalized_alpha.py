@@ -24,7 +24,9 @@ _RHO = 0.8
 1993): 1 would keep all vibrations that the step cannot resolve, 0 damps those that it can."""
 
 _AM, _AF = (2.0 * _RHO - 1.0) / (_RHO + 1.0), _RHO / (_RHO + 1.0)
+"""alpha_m and alpha_f that lead to that radius."""
 _BETA = 0.25 * (1.0 - _AM + _AF) ** 2
+"""beta with which, at that radius, motions that the step resolves are damped the least."""
 _ALPHA = _AM, _AF, 0.5 - _AM + _AF, _BETA, 0.5 - _BETA
 """alpha_m, alpha_f, gamma, beta, and the weight in positions of the acceleration at the start of the step."""
 _EULER = 0.0, 0.0, 1.0, 1.0, 0.0
