@@ -57,12 +57,14 @@ _WINDOWS = (0.25, 0.5, 1.0)
 _ROUNDS = 60
 """Largest number of steps in a descent."""
 _AS_GOOD = 0.01
-"""Rise of the sum of squares that counts as none."""
+"""Rise of the sum of squares that counts as none. At 0, `test_what_the_data_do_not_tell_stays_as_it_is`
+fails."""
 _GIVING_WAY = 5
 """Largest number of steps in which unknowns adapt to others that are held. Halved,
 `test_a_number_of_which_the_data_say_nothing_is_named_with_what_it_is_at_most` fails."""
 _FAR = 0.1
-"""Smallest initial noise of a column, as a fraction of its initial residuals."""
+"""Smallest initial noise of a column, as a fraction of its initial residuals. At 0,
+`test_what_cannot_be_told_is_named_with_what_is_known_of_it` fails."""
 _NOISELESS = 1e-7
 """Smallest noise of a column, as a fraction of its range."""
 
