@@ -53,6 +53,7 @@ _CALLED = {
 }
 """Signatures of the kernels that are called through their addresses."""
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _MAX_HELPERS = 2
 """Number of processes that compile at a time: with two cores, two are nearly twice as fast as one."""
 

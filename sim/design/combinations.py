@@ -20,6 +20,7 @@ from .parameters import Parameter
 
 Floats = NDArray[np.float64]
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _NEAR_HALF = 0.1
 """Largest distance of a power from a multiple of 1/2 to which it is rounded."""
 _NEAR_ONE = 0.03

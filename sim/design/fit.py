@@ -33,11 +33,16 @@ from .residuals import Problem
 Floats = NDArray[np.float64]
 
 _CONFIDENCE = 0.95
-"""Probability that an interval contains the true value, the usual one."""
+"""Probability that an interval contains the true value, the usual one. At 0.9,
+`test_draws_scatter_as_the_intervals_say` fails; halved,
+`test_intervals_hold_the_truth_as_often_as_they_say`."""
+# Unless noted, doubling or halving one of these numbers fails no test.
 _STEP = 3e-4
 """Step of u in finite differences."""
 _UNKNOWN = 0.5
-"""Uncertainty of u above which a direction counts as unknown."""
+"""Uncertainty of u above which a direction counts as unknown. Doubled,
+`test_a_number_of_which_the_data_say_nothing_is_named_with_what_it_is_at_most` fails; halved,
+`test_a_length_that_is_not_the_scenes_is_told_with_what_gravity_stands_for`."""
 _RANK = 1e-5
 """Slope along a direction, relative to those of the unknowns in it, below which it is the error of finite
 differences."""
@@ -52,11 +57,14 @@ _WINDOWS = (0.25, 0.5, 1.0)
 _ROUNDS = 60
 """Largest number of steps in a descent."""
 _AS_GOOD = 0.01
-"""Rise of the sum of squares that counts as none."""
+"""Rise of the sum of squares that counts as none. At 0, `test_what_the_data_do_not_tell_stays_as_it_is`
+fails."""
 _GIVING_WAY = 5
-"""Largest number of steps in which unknowns adapt to others that are held."""
+"""Largest number of steps in which unknowns adapt to others that are held. Halved,
+`test_a_number_of_which_the_data_say_nothing_is_named_with_what_it_is_at_most` fails."""
 _FAR = 0.1
-"""Smallest initial noise of a column, as a fraction of its initial residuals."""
+"""Smallest initial noise of a column, as a fraction of its initial residuals. At 0,
+`test_what_cannot_be_told_is_named_with_what_is_known_of_it` fails."""
 _NOISELESS = 1e-7
 """Smallest noise of a column, as a fraction of its range."""
 

@@ -22,6 +22,7 @@ _STARTS = {"x": (0, 0), "y": (0, 1), "vx": (1, 0), "vy": (1, 1)}
 """Start values of a mass: whether it is a velocity, and the axis."""
 _SOLVING = ("dt", "tolerance", "template")
 """Settings that control the solver, or are not numbers."""
+# Unless noted, doubling or halving one of these numbers fails no test.
 _SMALL = 1e-3
 """Starting value of a number that is 0 and cannot be negative, as a fraction of its slider's maximum."""
 _REACH = 1e4

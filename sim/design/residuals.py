@@ -40,14 +40,17 @@ OF_MEASUREMENT = {
 }
 """Names that `vary` accepts besides the scene's own numbers."""
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _FINE = 1e-8
 """Tolerance of runs as a fraction of the body's size, small so that differences between runs are smooth."""
 _FEWEST = 8
 """Smallest number of rows in a fit of the first rows alone."""
 _LATEST = 1e6
-"""Latest time of a first row, s, that can be reached by a run from the scene's start."""
+"""Latest time of a first row, s, that can be reached by a run from the scene's start. Doubled,
+`test_a_clock_that_is_far_from_the_start_needs_the_start` fails."""
 _HARDLY = 1e-3
-"""Movement as a fraction of the body's size below which the scale of a measurement is doubted."""
+"""Movement as a fraction of the body's size below which the scale of a measurement is doubted. At 0,
+`test_places_that_hardly_move_and_one_number_for_springs_that_differ_are_doubted` fails."""
 _FAILED = 1e3
 """Residual, in units of noise, of a run that ends early."""
 

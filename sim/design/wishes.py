@@ -36,6 +36,7 @@ from ..solve.registry import METHODS
 from .keep_shape import DesignError
 from .sensitivity import AtRest, Change, Floats, by_setting, scaled
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 REACHED = 5e-3
 """Largest relative deviation of a reached from a wished value at which the wish counts as fulfilled."""
 _MARGIN = 1.01
@@ -44,7 +45,8 @@ _LEAST = 1e-2
 """Weight of the unknowns relative to the residuals, which selects the solution with the smallest change and
 prevents large changes for hardly any gain."""
 _CLOSE, _EXACT = 0.05, 2e-4
-"""Residuals below which the weight is zero, and below which the search ends."""
+"""Residuals below which the weight is zero, and below which the search ends. With the first doubled,
+`test_wishes_that_take_the_steepest_taper_are_found` fails."""
 _GAIN, _FINE = 2e-3, 5e-3
 """Relative decrease of the sum of squares in a trial, and change of the unknowns in a worse trial, below
 which the search ends."""
@@ -52,7 +54,8 @@ _STIFFER, _CAUTIOUS = 4.0, 1e-5
 """Factor of Levenberg's damping after a worse trial, and its smallest value, which keeps unknowns that have
 no effect unchanged."""
 _MOST = 1e5
-"""Largest factor, and the reciprocal of the smallest: larger changes would make it another body."""
+"""Largest factor, and the reciprocal of the smallest: larger changes would make it another body. Doubled or
+halved, `test_an_absurd_wish_leaves_the_body_within_bounds_and_says_so` fails."""
 _STEEPEST = math.log(30.0)
 """Largest logarithm of the ratio of stiffness factors, root to tip, in a taper."""
 _LOST = 20.0
@@ -60,13 +63,15 @@ _LOST = 20.0
 _TRIALS = 30
 """Largest number of trials of a search."""
 _STARTS, _RESTARTS = (0.02, 0.2, 1.0, 5.0, 50.0), 3
-"""Factors of a grid that is tried where the descent from the scene's own numbers fails, and the number of
-its best points from which further descents start. By experiment (168 frequencies that other factors give):
-without the grid 9 are not found, with two starts 2, with three none."""
+"""Factors of a grid that is tried where the descent from the scene's own numbers fails, and the number of its
+best points from which further descents start. By experiment (168 frequencies that other factors give):
+without the grid 9 are not found, with two starts 2, with three none. With every other factor,
+`test_a_frequency_is_found_beyond_where_another_vibration_becomes_the_slowest` fails."""
 _STEP = 0.05
 """Change of a logarithm in finite differences of stability limits, which are accurate to 1 %."""
 _LESS = (0.02, 0.05, 0.1)
-"""Decreases, in logarithms, that are tried on a design that is nearly stable at the wished time step."""
+"""Decreases, in logarithms, that are tried on a design that is nearly stable at the wished time step. Without
+them, `test_a_time_step_is_that_of_what_is_taken_home_where_the_method_has_no_limit` fails."""
 _SHALLOW = 0.1
 """Fraction of the wished sag below which its logarithm is continued by a straight line."""
 _WAYS = 12

@@ -11,7 +11,8 @@ import numpy as np
 from .table import Floats, Memory, Part, Record, Table, address_of
 
 _PAGE = 4096
-"""Address distance in bytes; loads wait for stores whose addresses differ by a multiple of it."""
+"""Address distance in bytes; loads wait for stores whose addresses differ by a multiple of it. Halved,
+`test_arrays_lie_in_the_same_part_of_a_page` fails."""
 _ITEM = 8
 """Size of a float, bytes."""
 

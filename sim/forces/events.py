@@ -10,6 +10,7 @@ import math
 
 from ..engine.jit import FAST, kernel
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 UNSEEN = 0.05
 """Speed that a step may add to a mass where something turns round or breaks, or miss at a kink, as a fraction
 of the tolerance per second."""

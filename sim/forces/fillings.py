@@ -26,6 +26,7 @@ from ..scene.surroundings import Gas, Liquid
 from ..scene.types import Scene
 from .term import Places, Term, Vectors
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 SMALL = 8
 """Largest number of masses of a loop whose matrix in an implicit step has a block for each pair of them."""
 

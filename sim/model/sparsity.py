@@ -16,6 +16,7 @@ NO_MATRIX = Matrix.empty()
 """An empty matrix, for methods that solve no linear systems."""
 
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _KRYLOV = 40
 """Largest dimension of a Krylov space for the contact blocks that are not in the pattern."""
 _KEPT = 4

@@ -32,8 +32,10 @@ from ..solve.registry import METHODS
 
 _Made = TypeVar("_Made", bound=Table)
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _SOFT_IN_TOLERANCES = 0.02
-"""Softening length of springs under an adaptive method, in tolerances; see `Body.softening`."""
+"""Softening length of springs under an adaptive method, in tolerances; see `Body.softening`. Doubled,
+`test_lengths_are_softened_far_below_the_tolerance_and_not_at_all_for_the_tutorial` fails."""
 _SOFT_AT_MOST = 1e-4
 """The largest softening length, as a fraction of a typical spring's length."""
 

@@ -120,6 +120,7 @@ def bounded(speed: float) -> float:
 
 
 NO_RAIL = 0.0, 0.0
+"""Direction that stands for no rail."""
 
 
 def offset(circle: Circle | None, time: float, rail: tuple[float, float] = NO_RAIL) -> tuple[float, float]:

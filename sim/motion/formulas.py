@@ -31,6 +31,7 @@ MAX_DEPTH = 20
 """Brackets, functions, signs and exponents inside each other, at most."""
 
 MAX_EXPONENT = 99
+"""Largest magnitude of an exponent; larger ones are refused."""
 
 _SHOWN = 40
 """Letters of a part of a formula that a message shows."""

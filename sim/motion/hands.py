@@ -35,7 +35,9 @@ _SLOWEST = 100.0
 """Speed, px/s, that is always allowed. Doubled or halved, no test of hands fails."""
 
 _APPROACH_RATE = 30.0
-"""Rate at which a hand approaches the pointer, 1/s."""
+"""Rate at which a hand approaches the pointer, 1/s. Doubled,
+`test_a_hand_moves_without_a_jerk_wherever_the_pointer_jumps` fails; halved,
+`test_it_comes_to_its_goal_and_stays`."""
 
 LONGEST_PART = 0.02
 """Longest time, s, for which the acceleration of a hand is taken to be linear in time. Doubled,

@@ -39,8 +39,10 @@ from .solver import Solver
 
 Floats = NDArray[np.float64]
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 LANES = 8
-"""Bodies are moved in multiples of this: fewer would be in no run, and their sums in another order."""
+"""Bodies are moved in multiples of this: fewer would be in no run, and their sums in another order. Halved,
+`test_what_a_body_does_depends_on_none_beside_it` fails."""
 _MASSES = 1536
 """Masses of all bodies that are moved at once: what is kept of them stays in the processor's second cache."""
 _MAX_SAMPLES = 2**24

@@ -73,7 +73,8 @@ class Outcome(NamedTuple):
 
 
 _HALTS = 16
-"""Parts of a time step in which a body whose masses are all held moves, if an energy balance is kept."""
+"""Parts of a time step in which a body whose masses are all held moves, if an energy balance is kept. Doubled
+or halved, no test fails."""
 
 
 class Motion:

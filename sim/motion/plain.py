@@ -27,7 +27,8 @@ from .solver import UNLIMITED, SolverStats
 from .stability import damped_limit
 
 _SAFETY = 0.2
-"""Step of Verlet relative to the estimated stability limit, which is for a body near its rest lengths."""
+"""Step of Verlet relative to the estimated stability limit, which is for a body near its rest lengths.
+Doubled or halved, no test fails."""
 
 
 class PlainSolver:

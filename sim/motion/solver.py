@@ -79,14 +79,20 @@ _NEXT_TURN = ENTRY_POINTS["next_turn"]
 _OF_AUTO = [ENTRY_POINTS[method.kernel.py_func.__name__] for method in AUTO_METHODS]
 """The kernels of the methods that `auto` chooses from."""
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _NEAR_LIMIT = 0.6
 """Step, as a fraction of the stability limit without damping, from which it counts as near the limit. By
-experiment (20 bodies): 0.3, 13 % larger errors; 0.9, 3 % more work."""
+experiment (20 bodies): 0.3, 13 % larger errors; 0.9, 3 % more work. Doubled,
+`test_vibrations_that_nothing_damps_do_not_hold_steps` fails; halved,
+`test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come`."""
 _NEAR_DAMPED_LIMIT = 0.9
 """The same as a fraction of velocity Verlet's limit, where damping makes that much lower. By experiment:
-halved, 14 % larger errors; 1.3 makes no difference."""
+halved, 14 % larger errors; 1.3 makes no difference. Doubled,
+`test_where_stability_limits_all_steps_hardly_more_is_done_than_by_the_longest_stable_ones` fails; halved,
+`test_far_from_its_limit_verlet_leaves_most_of_the_tolerance_to_what_may_come`."""
 _MIN_DAMPED_LIMIT = 1e-7
-"""Where that limit is lower, s, the velocities of such steps could be anything within the tolerance."""
+"""Where that limit is lower, s, the velocities of such steps could be anything within the tolerance. At 0,
+`test_no_tolerance_lets_a_light_mass_on_a_strong_damper_run_away` fails."""
 
 _WITH_LIMITS = 0.3
 """Tolerance of methods with error control where something yields or breaks, as a fraction of the scene's: the

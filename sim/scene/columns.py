@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 MOST = 12
 """Number of tuples of parts whose arrays are cached: several versions of a body, or several bodies."""
 

@@ -25,7 +25,8 @@ from .surroundings import loop_area
 from .types import BODY_FIELDS, FORMAT_VERSION, Pose, Scene
 
 SHORTEST = 1e-9
-"""Distance, px, below which the ends of a spring count as coincident: the spring would have no direction."""
+"""Distance, px, below which the ends of a spring count as coincident: the spring would have no direction.
+Doubled or halved, no test fails."""
 
 _valid: dict[int, weakref.ref[Scene]] = {}
 """Scenes found valid, by id, as long as they exist: a scene is frozen, with all its contents. Most come here

@@ -20,10 +20,10 @@ Floats = NDArray[np.float64]
 # Unless noted, doubling or halving one of these numbers fails no test.
 _GROWTH = 0.5
 """Growth rate of a motion, 1/s, that is tolerated: with some Runge-Kutta methods, such as those of order 2,
-undamped motions grow very slowly at any step."""
+undamped motions grow very slowly at any step. At 0, `test_a_row_brings_its_own_limit` fails."""
 
 _GROWS = 1.001
-"""Modulus of an eigenvalue of a step above which the step is unstable."""
+"""Modulus of an eigenvalue of a step above which the step is unstable. At 1, `test_limit_of_a_row` fails."""
 _NEAR = 2e-3
 """Relative accuracy of the limit, and distance from it at which the eigenvalues are checked."""
 _MOTIONS = 12

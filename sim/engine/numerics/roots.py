@@ -10,7 +10,8 @@ _ONE = np.float32(1.0)
 """1 in single precision."""
 
 MIN_SQUARE = 1e-37
-"""Just above the smallest normal number of single precision, 1.2e-38."""
+"""Just above the smallest normal number of single precision, 1.2e-38. Doubled,
+`test_inverse_roots_are_right_to_the_last_bit_but_one` fails."""
 
 
 @kernel(inline="always")

@@ -10,7 +10,8 @@ AMPLITUDE, RATE, PHASE, PULSE = 0, 1, 2, 3
 """Columns of a row: the amplitude; the rate of the phase, 1/s; the phase at time zero; 1 for a pulse, 0 for a
 sine."""
 SHARPNESS = 4.0
-"""Exponent of a pulse exp(SHARPNESS (sin p - 1)), which is above one half for a fifth of the time."""
+"""Exponent of a pulse exp(SHARPNESS (sin p - 1)), which is above one half for a fifth of the time. Doubled or
+halved, `test_the_work_of_quick_muscles_is_that_of_all_their_waves` fails."""
 
 
 @kernel(forceinline=True)

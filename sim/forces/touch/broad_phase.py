@@ -14,6 +14,7 @@ import math
 from ...engine.bits import from_bits, size_bits
 from ...engine.jit import FAST, FUSED, kernel
 
+# Unless noted, doubling or halving one of these numbers fails no test.
 _FARTHEST = 1e8
 """Coordinate, px, beyond which no pairs are looked for: such a state is refused anyway."""
 

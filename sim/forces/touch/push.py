@@ -46,16 +46,20 @@ from ...scene.surroundings import Restitution
 from ..term import Floats, Vectors
 
 REFERENCE_SPEED = 1000.0
-"""Speed, px/s, at which a mass hits a wall to leave it with the bounciness of the wall."""
+"""Speed, px/s, at which a mass hits a wall to leave it with the bounciness of the wall. Doubled or halved,
+`test_short_steps_leave_as_the_bounciness_says` fails."""
 
 _CALM = 0.06
 """Speed below which the push is damped as by a dashpot, in parts of sqrt(k w) d^(3/2): so small that what
-rolls loses speed, too, and so large that it hardly makes the equations stiffer than bodies are."""
+rolls loses speed, too, and so large that it hardly makes the equations stiffer than bodies are. Doubled,
+`test_a_heap_of_rings_comes_to_rest` fails."""
 _MIN_BOUNCE = 0.1
-"""The least bounciness that is distinguished with a constant restitution."""
+"""The least bounciness that is distinguished with a constant restitution. Doubled,
+`test_with_a_constant_restitution_all_speeds_keep_the_same_part` fails."""
 
 CALMING = 0.5
-"""Damping of a softened push, in parts of the depth that is left in a step; a quarter is just enough."""
+"""Damping of a softened push, in parts of the depth that is left in a step; a quarter is just enough. Halved,
+`test_a_fixed_step_that_resolves_a_bounce_keeps_its_height` fails."""
 
 
 @kernel(forceinline=True, fastmath=FUSED)
