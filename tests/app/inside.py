@@ -12,6 +12,7 @@ from viser import _messages as viser_messages
 from viser.infra import _infra as viser_infra
 from viser.infra._messages import wire_field_names
 
+from app.features.measure.panel import MeasurePanel
 from app.gate.gate import Gate
 from app.pages.sandbox.tab import Tab
 from app.server.ticker import Ticker
@@ -25,6 +26,7 @@ from tests.app.panels import page_of
 
 __all__ = [
     "Bare",
+    "first_plot",
     "guard",
     "only_page",
     "press",
@@ -39,6 +41,11 @@ __all__ = [
 def uuid_of(element: Any) -> str:
     """The name of a control or a command on the wire."""
     return element._impl.uuid
+
+
+def first_plot(panel: MeasurePanel) -> Any:
+    """The first of the open plots of a tab."""
+    return panel.plots._plots[0]
 
 
 def press(handle: Any, value: object = None) -> None:

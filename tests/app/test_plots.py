@@ -28,7 +28,7 @@ from app.session.notices import Notice
 from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve, parse_plot
 from app.stage.colors import palette
 from sim.errors import InputError
-from tests.app.inside import press
+from tests.app.inside import first_plot, press, uuid_of
 from tests.app.pages import SessionPage
 from tests.app.panels import Noted, page_of
 from tests.app.recording import agrees
@@ -632,9 +632,9 @@ def test_what_is_zoomed_to_is_sent_finely_and_analysed_until_all_is_shown_or_a_r
     for _ in range(90):
         page.frames(1)
         panel.tick()
-    shown = panel.plots._plots[0]
+    shown = first_plot(panel)
     assert shown.chart.handle is not None
-    identity = shown.chart.handle._impl.uuid
+    identity = uuid_of(shown.chart.handle)
     panel.plots.zoom("nothing", (0.0, 1.0))
     assert shown.zoom is None
     panel.plots.zoom(identity, (0.3, 0.8))
@@ -647,7 +647,7 @@ def test_what_is_zoomed_to_is_sent_finely_and_analysed_until_all_is_shown_or_a_r
     page.frames(1, commands.Reset())
     panel.tick()
     assert shown.zoom is None
-    assert shown.chart.handle._impl.uuid != identity, "the page's own zoom is gone, too"
+    assert uuid_of(shown.chart.handle) != identity, "the page's own zoom is gone, too"
 
 
 def test_the_kind_of_analysis_is_chosen_for_each_plot_and_any_text_is_borne() -> None:
