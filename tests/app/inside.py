@@ -16,6 +16,7 @@ from app.features.measure.panel import MeasurePanel
 from app.gate.gate import Gate
 from app.pages.sandbox.tab import Tab
 from app.server.ticker import Ticker
+from app.session.samples import Samples
 from app.session.session import Session
 from app.stage.sketch import Mapping
 from app.ui import controls
@@ -30,6 +31,7 @@ __all__ = [
     "guard",
     "only_page",
     "press",
+    "room_of",
     "sandboxes",
     "uuid_of",
     "viser_infra",
@@ -46,6 +48,11 @@ def uuid_of(element: Any) -> str:
 def first_plot(panel: MeasurePanel) -> Any:
     """The first of the open plots of a tab."""
     return panel.plots._plots[0]
+
+
+def room_of(samples: Samples) -> int:
+    """The bytes that the samples of a plot take."""
+    return sum(level._room.nbytes for level in samples._levels)
 
 
 def press(handle: Any, value: object = None) -> None:

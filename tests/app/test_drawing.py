@@ -144,7 +144,17 @@ def test_many_masses_are_drawn_with_less() -> None:
 
 @pytest.mark.parametrize("name", [name for name in PRESETS if name != "empty"])
 def test_nets_are_drawn_with_bars_and_chains_trees_and_rings_with_coils(name: str) -> None:
-    nets = "girder", "bridge", "cloth", "jelly", "flag-pole", "study-cloth", "walker", "lesson-bridge-modes"
+    nets = (
+        "girder",
+        "bridge",
+        "buggy",
+        "cloth",
+        "jelly",
+        "flag-pole",
+        "study-cloth",
+        "walker",
+        "lesson-bridge-modes",
+    )
     net = name in nets
     sketch = sketch_of(sim.load_scene(name))
     assert sketch.bars == (net or sketch.many)

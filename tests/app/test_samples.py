@@ -13,6 +13,7 @@ from app.features.measure import plots
 from app.session.history import SPAN
 from app.session.plots import Plot, PlotSpec, curve
 from app.session.samples import LEVEL_ROWS, LEVELS, Samples
+from tests.app.inside import room_of
 
 RATE = 20.0
 """Frames a simulated second."""
@@ -60,7 +61,7 @@ def test_however_long_it_runs_the_memory_is_bounded() -> None:
         samples.append((float(i), 0.0))
     assert len(samples) <= SPAN + 7 * (LEVEL_ROWS + 8)
     assert SPAN + LEVELS * (LEVEL_ROWS + 8) <= MOST
-    assert sum(level._room.nbytes for level in samples._levels) < 16 * (MOST + SPAN)
+    assert room_of(samples) < 16 * (MOST + SPAN)
 
 
 def test_the_last_level_forgets(monkeypatch: pytest.MonkeyPatch) -> None:

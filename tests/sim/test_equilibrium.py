@@ -106,7 +106,12 @@ def test_a_slope_holds_nothing_at_rest(friction: float) -> None:
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize(
     "name",
-    [name for name in PRESETS if 0 < len(sim.load_scene(name).anchors) < len(sim.load_scene(name).masses)],
+    [
+        name
+        for name in PRESETS
+        if 0 < len(sim.load_scene(name).anchors) < len(sim.load_scene(name).masses)
+        and name not in ("crane", "stick-slip")  # a motor or a belt does not rest
+    ],
 )
 def test_forces_balance_in_every_preset(name: str, law: ForceLaw) -> None:
     scene = replace(sim.load_scene(name), force_law=law)

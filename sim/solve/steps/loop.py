@@ -108,7 +108,7 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             accelerate(problem, old.q, old.v, old.a)
         error = step(problem, drive, old, new, t, h, tolerance)
         h = trial.h
-        if drive.timed:  # methods do not have their last stage at the end of a step
+        if drive.timed and problem.update_friction_history != 0:  # belts go on to the end of the step
             state.clock[0] = trial.end
         if drive.mass.size > 0:
             lead_to(drive, trial.end, new.q, new.v)
