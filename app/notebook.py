@@ -8,7 +8,6 @@ import html
 import sys
 
 import sim
-from sim.compiling.compiler import needed_by
 from sim.model.system import build_system
 
 from .gate.address import OF_THIS_MACHINE, page_addresses
@@ -42,7 +41,7 @@ class Shown:
             serving(self._scene, HOST, 0, OF_THIS_MACHINE)
         )
         (self.url,) = page_addresses(HOST, server.get_port())
-        compiler.want(needed_by(scene.integrator.method, build_system(self._scene).body))
+        compiler.want_for(scene.integrator.method, build_system(self._scene).body)
         compiler.start()
         self._open = True
         _all.append(self)

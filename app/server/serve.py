@@ -20,7 +20,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 import sim
-from sim.compiling.compiler import Compiler, cache_trouble, needed_by
+from sim.compiling.compiler import Compiler, cache_trouble, kept
 from sim.model.system import build_system
 
 from ..classroom.live import Classes
@@ -179,7 +179,7 @@ def serving(
         GateError: the gate could not be installed, or an origin or address is none; nothing is served.
         PortBusy: another program listens on the port.
     """
-    compiler = Compiler()
+    compiler = Compiler(kept())
     public = None if public_url is None else public_address(public_url)
     held = Classes(alone=False) if classes is None else classes
     tabs = _Tabs(scene, host, public, held, compiler)
@@ -271,10 +271,10 @@ def serve(
 
 
 def start_compiling(scene: sim.Scene, ticker: Ticker, compiler: Compiler) -> None:
-    """Start to compile everything in the background, beginning with what a scene needs."""
+    """Start to compile in the background what a scene needs; pages ask for more as they need it."""
     # A page that comes soon is drawn first: both need the interpreter.
     ticker.drawn.wait(timeout=0.5)
-    compiler.want(needed_by(scene.integrator.method, build_system(scene).body))
+    compiler.want_for(scene.integrator.method, build_system(scene).body)
     compiler.start()
     threading.Thread(target=_freeze_loaded_objects, args=(compiler,), daemon=True).start()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sim.compiling.compiler import Compiler, cache_trouble, needed_by
+from sim.compiling.compiler import Compiler, cache_trouble
 from sim.engine.tables import Body
 from sim.solve.registry import METHODS
 
@@ -29,13 +29,13 @@ def compile_status(ready: int, of: int, busy_with: str, awaited: str) -> str:
 
 
 class Preparation:
-    """Has the compiler begin with what a page waits for, and shows its progress.
+    """Has the compiler prepare what a page needs, and shows its progress.
 
     Args:
         compiler: compiles kernels in the background.
 
     Attributes:
-        is_done: everything is compiled.
+        is_done: everything that the page's body may need is compiled.
     """
 
     def __init__(self, compiler: Compiler) -> None:
@@ -44,14 +44,15 @@ class Preparation:
         self.is_done = False
 
     def update(self, session: Session) -> None:
-        """Ask for the session's method if it is not compiled, and note the progress in the session."""
+        """Ask for what a new method or body needs, and note the progress in the session."""
         method, waits = session.simulation.method, session.simulation.plain
+        body = session.simulation.tables[0].body
+        if (method, body) != self._wanted:
+            self._wanted = method, body
+            self._compiler.want_for(method, body)
+            self.is_done = False
         if self.is_done and not waits:
             return
-        body = session.simulation.tables[0].body
-        if waits and (method, body) != self._wanted:
-            self._wanted = method, body
-            self._compiler.want(needed_by(method, body))
         ready, of = self._compiler.progress
         self.is_done = ready == of
         text = compile_status(ready, of, self._compiler.busy_with, METHODS[method].label if waits else "")

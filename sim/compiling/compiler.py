@@ -160,9 +160,15 @@ FOR_DAMAGE = ("yielding_accelerations", "event_fraction", "commit_plasticity")
 """Entry points that a body needs which breaks or yields."""
 
 
-def for_kinks(body: Body) -> tuple[str, ...]:
-    """Names of the entry points that find the kinks of a body's forces, if there are any."""
-    return ("kink_fraction", *parts) if (parts := parts_of(body, "kink_fraction")) else ()
+def for_events(body: Body) -> tuple[str, ...]:
+    """Names of the entry points that find, and carry out, what ends a body's steps."""
+    kinks = parts_of(body, "kink_fraction")
+    return (
+        *(("no_tunnelling",) if body.environment.contact.present else ()),
+        *(("kink_fraction", *kinks) if kinks else ()),
+        *(FOR_STICKING if body.environment.sticks else ()),
+        *(FOR_DAMAGE if body.limits.present else ()),
+    )
 
 
 def for_forces(body: Body) -> tuple[str, ...]:
@@ -193,7 +199,7 @@ def for_energy(body: Body) -> tuple[str, ...]:
 
 def needed_by(method: str, body: Body) -> tuple[str, ...]:
     """Names of the entry points by which a method moves a body; for `auto`, those that it needs to start."""
-    info, forces = METHODS[method], for_forces(body)
+    info, forces = METHODS[method], (*for_forces(body), *for_events(body))
     if info.kernel is None:
         return *forces, AUTO_METHODS[0].kernel.py_func.__name__, "next_turn"
     return *forces, *(for_fallback(body) if info.implicit else ()), info.kernel.py_func.__name__
@@ -203,9 +209,17 @@ def all_of(method: str, body: Body) -> tuple[str, ...]:
     """Names of all entry points that a run by a method may come to, with the energy balance."""
     chosen = [one.name for one in AUTO_METHODS] if METHODS[method].kernel is None else []
     needed = [name for one in (method, *chosen) for name in needed_by(one, body)]
-    return tuple(
-        dict.fromkeys((*needed, *for_balance(body), *for_fallback(body), *FOR_DAMAGE, *for_energy(body)))
-    )
+    return tuple(dict.fromkeys((*needed, *for_balance(body), *for_fallback(body), *for_energy(body))))
+
+
+def by_any_method(method: str, body: Body) -> tuple[str, ...]:
+    """Names of all entry points that a body may come to by any method, first those of one method."""
+    return tuple(dict.fromkeys(name for one in (method, *METHODS) for name in all_of(one, body)))
+
+
+def kept() -> tuple[str, ...]:
+    """Names of the entry points that need not be compiled, as the disk has them."""
+    return tuple(n for n, point in ENTRY_POINTS.items() if (file := point.file) and file.exists())
 
 
 def fetch(names: Iterable[str]) -> None:
@@ -243,7 +257,7 @@ class Compiler:
     disk, so that compiling does not block the interpreter of this process.
 
     Args:
-        names: of the entry points to make ready, in that order.
+        names: of the entry points to make ready, in that order, besides those that `want` adds.
 
     Attributes:
         compiles: whether anything had to be compiled, and not only loaded.
@@ -252,16 +266,19 @@ class Compiler:
     def __init__(self, names: Iterable[str] = tuple(ENTRY_POINTS)) -> None:
         self._lock = threading.Lock()
         self._waiting = list(names)
+        self._names = set(self._waiting)
         self._busy: list[str] = []
         self._helpers: list[subprocess.Popen[str]] = []
         self._threads: list[threading.Thread] = []
-        self._stopped = False
+        self._started = self._stopped = False
         self.compiles = False
 
     @property
     def progress(self) -> tuple[int, int]:
-        """(number of entry points that are ready, number of all)."""
-        return sum(point.ready for point in ENTRY_POINTS.values()), len(ENTRY_POINTS)
+        """(number of entry points that are ready, number of those that are to be)."""
+        with self._lock:
+            names = tuple(self._names)
+        return sum(ENTRY_POINTS[name].ready for name in names), len(names)
 
     @property
     def busy_with(self) -> str:
@@ -269,23 +286,41 @@ class Compiler:
         busy = self._busy[:1]
         return ENTRY_POINTS[busy[0]].label if busy else ""
 
-    def want(self, names: Iterable[str]) -> None:
-        """Make these entry points ready before all others."""
-        first = list(names)
+    def want(self, first: Iterable[str], then: Iterable[str] = ()) -> None:
+        """Make entry points ready before all others; those in `then` after the others."""
+        first, then = list(first), list(then)
         with self._lock:
-            self._waiting.sort(key=lambda name: first.index(name) if name in first else len(first))
+            waiting = [name for name in self._waiting if name not in first]
+            new = [name for name in dict.fromkeys((*first, *then)) if name not in self._names]
+            self._names.update(new)
+            front = [name for name in first if name in new or name in self._waiting]
+            self._waiting = [*front, *waiting, *(name for name in new if name not in first)]
+        if self._started:
+            self._run_threads()
+
+    def want_for(self, method: str, body: Body) -> None:
+        """Make ready what moves a body by a method, and then what else may be asked of that body."""
+        self.want(needed_by(method, body), by_any_method(method, body))
 
     def start(self) -> None:
         """Start making entry points ready."""
-        helpers = min(_MAX_HELPERS, os.cpu_count() or 1)
-        self._threads = [threading.Thread(target=self._run, daemon=True) for _ in range(helpers)]
-        for thread in self._threads:
-            thread.start()
+        self._started = True
+        self._run_threads()
+
+    def _run_threads(self) -> None:
+        """Have as many threads at work as there is use for."""
+        with self._lock:
+            at_work = [thread for thread in self._threads if thread.is_alive()]
+            helpers = min(_MAX_HELPERS, os.cpu_count() or 1, len(at_work) + len(self._waiting))
+            new = [threading.Thread(target=self._run, daemon=True) for _ in range(helpers - len(at_work))]
+            self._threads = [*at_work, *new]
+            for thread in new:
+                thread.start()
 
     def wait(self, timeout: float | None = None) -> None:
         """Wait until everything is ready or `stop` is called, at most for a timeout (s)."""
         end = None if timeout is None else time.monotonic() + timeout
-        for thread in self._threads:
+        for thread in tuple(self._threads):
             thread.join(None if end is None else max(0.0, end - time.monotonic()))
 
     def stop(self) -> None:

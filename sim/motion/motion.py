@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
-from ..compiling.compiler import FOR_DAMAGE, is_ready, needed_by
+from ..compiling.compiler import is_ready, needed_by
 from ..engine.tables import SCALE_MAX, SCALE_MIN, Indices, PrescribedMotion
 from ..model.stable_spring import clamp_stiffness
 from ..model.state import Carried, carried_by, fill_in, new_scratch, new_state, put_masses
@@ -136,8 +136,7 @@ class Motion:
     @property
     def _needed(self) -> tuple[str, ...]:
         """Names of the compiled entry points without which NumPy moves the body."""
-        body = self._whole.body
-        return *needed_by(self.scene.integrator.method, body), *(FOR_DAMAGE if body.limits.present else ())
+        return needed_by(self.scene.integrator.method, self._whole.body)
 
     def take_compiled(self) -> bool:
         """Go on with the kernels of the method if they are ready by now; whether it does."""

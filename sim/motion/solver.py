@@ -10,13 +10,11 @@ import numpy as np
 
 from ..compiling.compiler import (
     ENTRY_POINTS,
-    FOR_DAMAGE,
     FOR_MATRICES,
-    FOR_STICKING,
     fetch,
     for_energy,
+    for_events,
     for_fallback,
-    for_kinks,
     is_ready,
     needed_by,
 )
@@ -362,10 +360,7 @@ class Solver:
         called = (
             *(("accumulate_work",) if self.balance.active else ()),
             *(FOR_MATRICES if implicit else ()),
-            *(("no_tunnelling",) if body.environment.contact.present else ()),
-            *for_kinks(body),
-            *(FOR_STICKING if body.environment.sticks else ()),
-            *(FOR_DAMAGE if body.limits.present else ()),
+            *for_events(body),
         )
         forces = "yielding_accelerations" if body.limits.present else path_of(body).name
         needed = (*needed_by(info.name, body), *(for_fallback(body) if implicit else ()), *called)

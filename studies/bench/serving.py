@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 
 from rich.console import Console
 
-import sim
 from app.features.hands import messages as hands
 from app.wire import from_page
 
@@ -23,6 +22,9 @@ from .client import FRAME_PLACES, FRAME_TIME, Page, is_frame, saying, state_of
 from .ready import show_ready
 
 NODE = "/body/masses"
+
+OPENED = "tutorial-3.3", "ring", "study-w4", "buggy"
+"""What servers open: chains, a net and a vehicle with motors."""
 
 
 class Served(NamedTuple):
@@ -116,17 +118,16 @@ def _import_numba() -> float:
 
 
 def bench_start(console: Console, repeats: int) -> None:
-    """Measure starts of each preset, cold (no machine code on the disk) and cached, and of bare viser; and
+    """Measure starts of some presets, cold (no machine code on the disk) and cached, and of bare viser; and
     how long compiling takes."""
     show_ready(console, repeats)
-    presets = [info.name for info in sim.list_scenes() if info.built_in]
     best: dict[tuple[str, str], dict[str, float]] = {}
     numba = float("inf")
     with tempfile.TemporaryDirectory() as cache:
         warm(cache)
         for _ in range(repeats):
             runs = {("bare viser", ""): _start("bare", 12, cache)}
-            for preset in presets:
+            for preset in OPENED:
                 # A compiler that the server has left behind may still write here for a moment.
                 with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as empty:
                     runs[preset, "cold"] = _start("softrod", preset, empty)

@@ -63,6 +63,7 @@ class Stage:
 @pytest.fixture(scope="module")
 def stage() -> Iterator[Stage]:
     with serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0) as (server, ticker, compiler):
+        compiler.want(ENTRY_POINTS)
         compiler.start()
         compiler.wait()
         yield Stage(server, ticker)

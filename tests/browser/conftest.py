@@ -21,6 +21,7 @@ from app.pages.sandbox.tab import Tab
 from app.server import serve as server_of_pages
 from app.server.serve import serving
 from app.ui.ticked import RunInThread
+from sim.compiling.compiler import ENTRY_POINTS
 from tests.amount import has_its_turn
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import ARTIFACTS, LIMIT, Desk, Served, rough_context
@@ -125,6 +126,7 @@ def serve() -> Iterator[Serve]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(server_of_pages, "Tab", make)
         with serving(own, "127.0.0.1", 0) as (server, ticker, compiler):
+            compiler.want(ENTRY_POINTS)
             compiler.start()
             compiler.wait()
             url = f"http://127.0.0.1:{server.get_port()}"

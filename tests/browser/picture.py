@@ -24,6 +24,7 @@ from app.pages.sandbox import tab
 from app.server.serve import serving
 from app.session.pacing import LONGEST_FRAME
 from app.session.session import FRAME, Session
+from sim.compiling.compiler import ENTRY_POINTS
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Point, Served
 
@@ -178,6 +179,7 @@ def record(browser: Browser) -> list[Image.Image]:
         mock.patch.object(tab, "Session", partial(Unhurried, clock=clock)),
         serving(scene, "127.0.0.1", 0) as (server, ticker, compiler),
     ):
+        compiler.want(ENTRY_POINTS)
         compiler.start()
         compiler.wait()  # or the page would say what is being compiled
         context = browser.new_context(viewport={"width": PAGE[0], "height": PAGE[1]})

@@ -19,6 +19,7 @@ import sim
 from app.server.serve import serving
 from app.session import commands, framing
 from app.session.framing import Bounds
+from sim.compiling.compiler import ENTRY_POINTS
 from tests.browser.conftest import FLAGS, browser_path
 from tests.browser.driver import Desk, Served
 
@@ -137,6 +138,7 @@ def sheet(browser: Browser, tiles: dict[str, sim.Scene], columns: int, dark: boo
         mock.patch.object(framing, "motion_bounds", frame_of),
         serving(sim.load_scene("rod"), "127.0.0.1", 0) as (server, ticker, compiler),
     ):
+        compiler.want(ENTRY_POINTS)
         compiler.start()
         compiler.wait()
         context = browser.new_context(viewport={"width": PAGE[0], "height": PAGE[1]}, device_scale_factor=1)

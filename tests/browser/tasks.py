@@ -23,6 +23,7 @@ from playwright.sync_api import Browser, Page, sync_playwright
 
 import sim
 from app.server.serve import serving
+from sim.compiling.compiler import ENTRY_POINTS
 from tests.browser import seen
 from tests.browser.driver import Point, until
 from tests.browser.novice import SEARCHED, SLID, TYPED, Key, Thing, key_of, promising, revealing
@@ -500,6 +501,7 @@ def served() -> Iterator[str]:
     with tempfile.TemporaryDirectory() as folder:
         os.environ["XDG_DATA_HOME"] = folder
         with serving(sim.load_scene("rope"), "127.0.0.1", 0) as (server, _, compiler):
+            compiler.want(ENTRY_POINTS)
             compiler.start()
             compiler.wait()
             yield f"http://127.0.0.1:{server.get_port()}"

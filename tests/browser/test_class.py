@@ -24,6 +24,7 @@ from app.export.live.live import live_html
 from app.features.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from app.session.session import Session
+from sim.compiling.compiler import ENTRY_POINTS
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
@@ -121,6 +122,7 @@ def school(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
         server, _, compiler = stack.enter_context(
             serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
         )
+        compiler.want(ENTRY_POINTS)
         compiler.start()
         compiler.wait()
         made = School(browser, server.get_port(), classroom)

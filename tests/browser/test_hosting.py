@@ -17,6 +17,7 @@ from app.classroom.live import Classes
 from app.features.classroom.roles import desk_address, seat_address, wall_address
 from app.pages.check.page import check_address
 from app.server.serve import serving
+from sim.compiling.compiler import ENTRY_POINTS
 from sim.store.link import pack_scene
 from tests.browser.conftest import DESKTOP
 from tests.browser.driver import LIMIT, Desk, Served, rough_context, until
@@ -37,6 +38,7 @@ def begin(rest: ExitStack, browser: Browser, tls: ssl.SSLContext, folder: str, k
     server, ticker, compiler = rest.enter_context(
         serving(sim.load_scene("tutorial-3.3"), "127.0.0.1", 0, public_url=url if known else None)
     )
+    compiler.want(ENTRY_POINTS)
     compiler.start()
     compiler.wait()
     listener.to = server.get_port()

@@ -150,6 +150,32 @@ def test_the_compiler_loads_what_was_wanted_first(monkeypatch: pytest.MonkeyPatc
     assert is_ready(ENTRY_POINTS)
 
 
+def test_a_compiler_makes_ready_what_a_scene_may_need_and_more_when_asked_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    loaded: list[str] = []
+    monkeypatch.setattr(EntryPoint, "ready", property(lambda point: point.name in loaded))
+    monkeypatch.setattr(EntryPoint, "load", lambda point: loaded.append(point.name))
+    monkeypatch.setattr(EntryPoint, "file", None)
+    compiler = Compiler(())
+    compiler.start()
+    compiler.wait()
+    scene = sim.load_scene("tutorial-3.3")
+    compiler.want_for("auto", build_system(scene).body)
+    compiler.wait()
+    first = len(loaded)
+    assert set(loaded[: len(needed_by("auto", build_system(scene).body))]) >= {"chain_accelerations"}
+    assert {"run_euler", "energies"} < set(loaded)
+    assert not any(name.startswith(("walls", "contact", "motors")) or "yield" in name for name in loaded)
+    assert compiler.progress == (first, first)
+    body = build_system(sim.load_scene("lesson-worm")).body
+    compiler.want_for("auto", body)
+    compiler.wait()
+    assert is_ready(needed_by("auto", body))
+    assert "walls.add_forces" in loaded[first:]
+    assert len(set(loaded)) == len(loaded)
+
+
 COMPILE_ONE = f"""
 from sim.compiling.compiler import ENTRY_POINTS, Compiler
 compiler = Compiler([{QUICK!r}])
