@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from typing import TypeVar
 
 import numpy as np
@@ -51,7 +51,7 @@ _MIN_HOLD = 1e-6
 P = TypeVar("P", LinearSpring, AngularSpring)
 
 
-def _with_numbers(scene: Scene, numbers: Numbers) -> Scene:
+def with_numbers(scene: Scene, numbers: Numbers) -> Scene:
     """Return the scene with these numbers; parts whose numbers do not change stay the same objects."""
     scene = of_parts(scene)
     return replace(
@@ -119,7 +119,7 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     def capped(cap: float) -> Scene:
         with np.errstate(divide="ignore"):
             limits = [cap / each for each in asked]
-        return _with_numbers(scene, Numbers(*map(np.minimum, own, limits)))
+        return with_numbers(scene, Numbers(*map(np.minimum, own, limits)))
 
     loads = np.concatenate([of * number for of, number in zip(asked, own, strict=True)])
     high, low = float(loads.max(initial=0.0)), _SOFTEST
@@ -183,7 +183,7 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
     for omega, shape in list(zip(found.omega.tolist(), found.shapes, strict=True))[mode or 0 :]:
         hold = dampers.hold(omega, shape)
         if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _MIN_HOLD):
-            return _with_numbers(scene, _damped(own, dampers, omega, shape, hold))
+            return with_numbers(scene, _damped(own, dampers, omega, shape, hold))
     raise InputError("damp_vibration: springs and joints hold no such vibration, so they cannot damp it")
 
 
@@ -231,7 +231,7 @@ def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
             damping=own.damping + of_way * (other.damping - own.damping),
             joint_damping=own.joint_damping + of_way * (other.joint_damping - own.joint_damping),
         )
-        return _with_numbers(scene, numbers)
+        return with_numbers(scene, numbers)
 
     if not is_limited(scene.integrator.method) or _is_calm(damped):
         return damped
@@ -246,23 +246,22 @@ def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
     return part(low)
 
 
-def with_numbers_of(tuned: Scene, origin: Scene, scene: Scene, label: str) -> Edit:
-    """Return an edit that gives a scene the stiffnesses and dampings of a tuned one.
+def edit_of(change: Callable[[Scene], Scene], origin: Scene, scene: Scene, label: str) -> Edit:
+    """Return an edit that gives a scene stiffnesses and dampings that were found for another moment of it.
 
     Args:
-        tuned: the tuned scene.
-        origin: the scene from which it was made: `scene` at another moment.
+        change: gives a scene of the same parts these numbers.
+        origin: the scene for which they were found: `scene` at another moment.
         scene: the scene to edit.
         label: describes the edit.
 
     Raises:
         SettingError: the parts, stiffnesses or dampings of `scene` differ from those of `origin`.
     """
-    before, now = Numbers.of(origin), Numbers.of(scene)
-    same = same_topology(origin, scene) and all(map(np.array_equal, before, now))
+    same = same_topology(origin, scene) and all(map(np.array_equal, Numbers.of(origin), Numbers.of(scene)))
     if not same:
         raise SettingError(f"{label}: the body was changed meanwhile, so that it is not that one any more")
-    return Edit(label, _with_numbers(scene, Numbers.of(tuned)))
+    return Edit(label, change(scene))
 
 
 def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
@@ -276,7 +275,7 @@ def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
         if not softness[spring] > 0.0:
             raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it cannot vibrate")
         damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring] / softness[spring]))
-    return _with_numbers(scene, own._replace(damping=_allowed(damping)))
+    return with_numbers(scene, own._replace(damping=_allowed(damping)))
 
 
 def _allowed(damping: Floats) -> Floats:

@@ -18,8 +18,9 @@ from app.features.solver.tuning_panel import TuningAnalysis, TuningPanel
 from app.session import commands
 from app.session.notices import Notice
 from app.ui import readouts
+from sim.analysis.tuning import Numbers
 from sim.compiling.compiler import ENTRY_POINTS, fetch
-from sim.design.tune import as_far_as_stable, damp_springs, with_numbers_of
+from sim.design.tune import as_far_as_stable, damp_springs, edit_of, with_numbers
 from sim.edit.edit import Selection
 from sim.errors import InputError
 from sim.motion.stability import largest_step
@@ -121,7 +122,7 @@ def test_a_body_is_made_stable_and_undo_takes_it_back() -> None:
     made = sim.make_stable(posed)
     assert made is not posed
     where, at = session.simulation.positions.copy(), session.simulation.time
-    edit = partial(with_numbers_of, made, posed, label="Made stable")
+    edit = partial(edit_of, partial(with_numbers, numbers=Numbers.of(made)), posed, label="Made stable")
     page.frames(1, commands.Play(False), commands.Change(lambda moment, _: edit(scene=moment.scene)))
     assert (session.simulation.positions == where).all()
     assert session.simulation.time == at

@@ -11,10 +11,10 @@ import viser
 
 import sim
 from sim.analysis.decay import TENTH
-from sim.analysis.tuning import Tuning
+from sim.analysis.tuning import Numbers, Tuning
 from sim.compiling.compiler import for_balance, is_ready
-from sim.design.tune import as_far_as_stable, damp_springs, is_limited, with_numbers_of
-from sim.design.wishes import Design, Factors, edit_of
+from sim.design.tune import as_far_as_stable, damp_springs, edit_of, is_limited, with_numbers
+from sim.design.wishes import Design, Factors
 from sim.edit.edit import Edit, Selection
 from sim.errors import InputError, SceneError
 from sim.model.system import build_system
@@ -328,7 +328,7 @@ class TuningPanel:
 
         def make(moment: sim.Moment, _: Selection) -> Edit:
             applied.set()
-            return edit_of(design, scene, moment.scene, label)
+            return edit_of(design.factors.applied, scene, moment.scene, label)
 
         # A drag of a slider is one step of undo; each number that is typed is one by itself.
         session.post(commands.Change(make, f"wish {key}" if key in SLIDERS else ""))
@@ -368,8 +368,8 @@ class TuningPanel:
         self._notify(Notice("info", "Not critical yet", text))
 
     def _change(self, made: sim.Scene, scene: sim.Scene, label: str) -> None:
-        edit = partial(with_numbers_of, made, scene, label=label)
-        self._session.post(commands.Change(lambda moment, _: edit(scene=moment.scene)))
+        change = partial(with_numbers, numbers=Numbers.of(made))
+        self._session.post(commands.Change(lambda moment, _: edit_of(change, scene, moment.scene, label)))
 
 
 def _designed(scene: sim.Scene, key: str, value: float) -> tuple[Design, str] | None:

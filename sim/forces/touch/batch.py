@@ -38,7 +38,7 @@ def room_for_batches(body: Body) -> dict[str, NDArray[Any]]:
 def add_in_batches(body, state, scratch, q, v):
     """Add the forces of all pairs that touch; the list of pairs must be up to date."""
     contact, slots, count = body.environment.contact, q.size // 2, 0
-    x, y, size = q[:slots], q[slots:], contact.size
+    x, y, size, sized = q[:slots], q[slots:], contact.size, contact.sized
     mass, ends_a, ends_b, reaches = scratch.batch_mass, scratch.batch_a, scratch.batch_b, scratch.batch_reach
     for s in range(contact.first, contact.end_a.size):
         first, behind = pairs_of(body, s)
@@ -50,7 +50,7 @@ def add_in_batches(body, state, scratch, q, v):
             for p in range(np.uint64(first), np.uint64(until)):
                 m, k = np.uint64(contact.member[p]), np.uint64(count)
                 _, dx, dy = meeting(line, x[m], y[m])
-                reach = thickness + size[m]
+                reach = thickness + size[m] if sized else thickness
                 mass[k], ends_a[k], ends_b[k], reaches[k] = m, a, b, reach
                 count += 1 if dx * dx + dy * dy < reach * reach else 0
             if contact.tangential > 0.0:
