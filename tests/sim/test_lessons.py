@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from scipy.special import ellipk
 
 import sim
+from sim.analysis.spectrum import peaks, spectrum
 from sim.edit.edit import Selection
 from sim.edit.muscles import move_muscles, take_muscles
 from sim.settings import apply_assignments, scene_of_run, scene_of_step, set_value
@@ -74,8 +75,8 @@ def widest(scene: sim.Scene, seconds: float = 15.0) -> list[float]:
     return most.tolist()
 
 
-def test_there_are_fourteen_lessons_of_a_length_for_one_hour() -> None:
-    assert len(NAMES) == 14
+def test_there_are_seventeen_lessons_of_a_length_for_one_hour() -> None:
+    assert len(NAMES) == 17
     for name in NAMES:
         assert len(known(sim.load_scene(name).lesson).steps) <= 5
 
@@ -537,3 +538,57 @@ def test_a_bridge_and_a_rod_swing_in_the_modes_that_are_asked_about() -> None:
     assert swing_of_run("lesson-rod-sound", 1, 19) == pytest.approx(0.32, abs=0.01)
     assert is_answer("lesson-bridge-modes", 0, "goes down")
     assert is_answer("lesson-bridge-modes", 3, "No, they mix")
+
+
+def test_balls_hand_on_momentum_as_the_lesson_says() -> None:
+    """Equal balls exchange velocities; 1 kg at v against 3 kg: -v / 2 and v / 2; a gun: v = x sqrt(k / m)."""
+    lesson, balls = sim.load_scene("lesson-momentum"), (1, 3, 5, 7, 9)
+    for number, flying in ((0, {9}), (1, {7, 9})):
+        after_it = after(scene_of_run(lesson, number), 0.72).velocities[list(balls), 0]
+        falling = math.sqrt(2.0 * 1000.0 * 180.0 * (1.0 - math.cos(math.radians(40.0))))
+        for ball, speed in zip(balls, after_it, strict=True):
+            assert speed == pytest.approx(falling if ball in flying else 0.0, abs=0.04 * falling)
+    shot = after(scene_of_run(lesson, 2), 0.5)
+    assert shot.velocities[11, 0] == pytest.approx(40.0 * math.sqrt(25.0), rel=1e-3)
+    shot.advance(1.0)
+    assert shot.velocities[[11, 12], 0] == pytest.approx((-100.0, 100.0), abs=0.1)
+    assert is_answer("lesson-momentum", 2, "comes back, half as fast")
+    goal = known(known(lesson.lesson).steps[3].goal)
+    pulled = after(with_mass_at(step_of("lesson-momentum", 3), 11, (140.0 - 60.0, 400.0)), 1.5)
+    assert known(goal.low) < pulled.velocities[12, 0] < known(goal.high)
+    pulled.advance(known(goal.seconds))
+    assert known(goal.low) < pulled.velocities[12, 0] < known(goal.high)
+
+
+def test_a_block_sticks_and_slips_as_the_lesson_says() -> None:
+    """It slips at 5400 and, about 1800, by an amplitude of sqrt(3600² + (k v / omega)²)."""
+    lesson = sim.load_scene("lesson-stick-slip")
+    for number, stiffness, belt in ((0, 100.0, 20.0), (1, 100.0, 40.0), (2, 400.0, 20.0)):
+        sample = sim.Simulation(scene_of_run(lesson, number)).record(4.0, "spring0.force", "mass1.vx")
+        force, velocity = sample["spring0.force"], sample["mass1.vx"]
+        amplitude = math.hypot(3600.0, stiffness * belt * math.sqrt(6.0 / stiffness))
+        assert (max(force), min(force)) == pytest.approx((1800.0 + amplitude, 1800.0 - amplitude), abs=30.0)
+        slips, interval = velocity < 0.0, 4.0 / (len(force) - 1)
+        backs = np.flatnonzero(np.diff(slips.astype(int)))
+        back = np.diff(backs[:2])[0] * interval
+        assert back == pytest.approx(math.pi * math.sqrt(6.0 / stiffness), rel=0.02)
+    calm = after(scene_of_run(lesson, 3), 6.0)
+    assert 100.0 * (calm.positions[1, 0] - 270.0) == pytest.approx(1800.0, abs=30.0)
+    for static, sways in ((0.4, False), (0.6, True)):
+        scene = apply_assignments(scene_of_run(lesson, 3), (f"static_friction={static}",))
+        assert bool(np.ptp(sim.Simulation(scene).record(8.0, "mass1.vx")["mass1.vx"][-1200:]) > 5.0) == sways
+
+
+def test_the_spectrum_of_a_rod_has_the_peaks_that_the_lesson_names() -> None:
+    def peaks_of(number: int, quantity: str) -> dict[float, float]:
+        scene = scene_of_run(sim.load_scene("lesson-spectrum"), number)
+        curve = sim.Simulation(scene).record(10.0, quantity)[quantity]
+        found = known(spectrum(np.linspace(0.0, 10.0, len(curve)), curve))
+        return {round(peak.frequency, 2): peak.amplitude for peak in peaks(found, 10.0, 5)}
+
+    whole = peaks_of(0, "mass19.y")
+    assert list(whole) == pytest.approx((1.55, 9.72, 27.0), rel=5e-3)
+    assert list(whole.values())[:2] == pytest.approx((10.0, 3.0), rel=0.05)
+    assert list(peaks_of(1, "mass19.y")) == pytest.approx((9.7,), rel=5e-3)
+    assert list(peaks_of(2, "mass19.y"))[:2] == pytest.approx((3.1, 19.44), rel=5e-3)
+    assert not any(9.0 < frequency < 10.0 for frequency in peaks_of(3, "mass15.y"))
