@@ -152,6 +152,7 @@ def test_nets_are_drawn_with_bars_and_chains_trees_and_rings_with_coils(name: st
         "jelly",
         "flag-pole",
         "study-cloth",
+        "treadmill",
         "walker",
         "lesson-bridge-modes",
     )
