@@ -10,6 +10,18 @@ test("all words must be in a name, and names that begin with the first one come 
   assert.deepEqual(matching(entries, "ness bend").map(({ name }) => name), ["Bending stiffness"]);
 });
 
+test("what has a word only in its description or among its choices comes last, from the beginning of a word on", () => {
+  const entries = [
+    { name: "Masses touch", also: "as points as balls Whether they bounce off each other" },
+    { name: "Buggy", also: "A car with two motors." },
+    { name: "Cart", also: "" },
+    { name: "Girder", also: "What scares engineers" },
+  ];
+  assert.deepEqual(matching(entries, "car").map(({ name }) => name), ["Cart", "Buggy"]);
+  assert.deepEqual(matching(entries, "touch bounce").map(({ name }) => name), ["Masses touch"]);
+  assert.deepEqual(matching(entries, "anchor"), []);
+});
+
 test("what was searched for is every second part, in the letters of the name", () => {
   assert.deepEqual(partsOf("Bending stiffness", "STIFF"), ["Bending ", "stiff", "ness"]);
   assert.deepEqual(partsOf("Bending stiffness", "st bend"), ["", "Bend", "ing ", "st", "iffness"]);

@@ -44,6 +44,9 @@ ORDER = -100.0
 
 PIN, LET_GO = "Pin", "Let go"
 
+MIXED = "mixed"
+"""What is said where selected parts have different values, or act in several ways."""
+
 
 @dataclass(frozen=True)
 class Shown:
@@ -52,7 +55,7 @@ class Shown:
     Attributes:
         of: what it is.
         value: the common value, or the one with the largest magnitude; of positions, their middle.
-        note: "mixed" if the values differ, "middle" of positions.
+        note: `MIXED` if the values differ, "middle" of positions.
     """
 
     of: Number
@@ -73,7 +76,7 @@ def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
         known = [value for value in values if value is not None]
         if not known or (of.field == "hardening" and values_of(scene, _YIELD_FORCE, parts) <= {None}):
             continue  # hardening has no meaning without a yield force
-        found.append(Shown(of, max(known, key=abs), "mixed" if len(values) > 1 else ""))
+        found.append(Shown(of, max(known, key=abs), MIXED if len(values) > 1 else ""))
     return found
 
 
@@ -155,7 +158,7 @@ class SelectionPanel:
                 row.take(shown.get(row.of), is_new)
             for way in self._ways:
                 way.take(scene, selection)
-            self._proportions.visible = any(each.note == "mixed" for each in shown.values())
+            self._proportions.visible = any(each.note == MIXED for each in shown.values())
             self._holding.visible = bool(selection.masses)
             folder.label = describe(selection)
             folder.visible = True
@@ -206,8 +209,6 @@ _WAY_BOXES: tuple[tuple[str, str, str], ...] = (
     ("joints", "Joints act", _ONE_SIDED),
     ("turn", "Joints turn", "a motor turns the second spring of a joint against the first"),
 )
-_MIXED = "mixed"
-"""What a choice shows where the selected parts act in several ways."""
 
 
 class _Way:
@@ -247,8 +248,8 @@ class _Way:
         self._box.visible = bool(parts)
         if parts:
             ways, words = ways_of(scene, self._way, parts), tuple(self._words.values())
-            shown = _MIXED if len(ways) > 1 else self._words[max(ways)]
-            options = (_MIXED, *words) if shown == _MIXED else words
+            shown = MIXED if len(ways) > 1 else self._words[max(ways)]
+            options = (MIXED, *words) if shown == MIXED else words
             if self._box.options != options:
                 self._box.options = options
             self._box.value = shown
@@ -298,6 +299,12 @@ class _Row:
         """Show the present value, unless the user is typing."""
         if self._shown is None:
             return
-        value = self._shown.value
-        if time.monotonic() - self._touched >= TOUCHED and not alike(value, self._box.value):
-            self._box.value = rounded(value)
+        value, now = rounded(self._shown.value), self._box.value
+        if self._shown.note == MIXED:
+            # viser drops a typed number that the box has already, and here other parts have other ones.
+            value = math.nextafter(value, math.inf)
+            differs = now != value
+        else:
+            differs = not alike(now, value)
+        if differs and time.monotonic() - self._touched >= TOUCHED:
+            self._box.value = value

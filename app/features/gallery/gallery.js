@@ -187,7 +187,7 @@ class Gallery {
 
   /** The scenes, for "Find anything". @returns {import("../../ui/gui/finder.js").Found[]} */
   toFind() {
-    return this.#entries.map((entry) => ({ name: entry.title, kind: "scene", about: "Scene", show: () => send({ do: "openScene", name: entry.name }) }));
+    return this.#entries.map((entry) => ({ name: entry.title, kind: "scene", about: "Scene", also: entry.text, show: () => send({ do: "openScene", name: entry.name }) }));
   }
 
   /** Shows the scenes of one group. @param {string} group */

@@ -8,22 +8,28 @@ import { iconHtml, make } from "../dialog.js";
  * @property {string} name
  * @property {"command" | "control" | "scene"} kind
  * @property {string} [about] its key, or its value and where it is
+ * @property {string} [also] further words by which it is found, such as its choices and its description
  * @property {() => void} show
  */
 
 /**
- * The entries that have all words of a text, those that begin with the first one first.
+ * The entries that have all words of a text: first those whose names begin with the first one, last those that have some
+ * only in their further words, from the beginning of a word on.
  *
- * @template {{name: string}} E
+ * @template {{name: string, also?: string}} E
  * @param {E[]} entries @param {string} text
  * @returns {E[]}
  */
 export function matching(entries, text) {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const fits = entries.filter(({ name }) => words.every((word) => name.toLowerCase().includes(word)));
   /** @param {E} entry */
-  const rank = ({ name }) => (words.length && name.toLowerCase().startsWith(words[0]) ? 0 : 1);
-  return fits.sort((a, b) => rank(a) - rank(b));
+  const rank = ({ name, also = "" }) => {
+    const [low, more] = [name.toLowerCase(), ` ${also.toLowerCase()}`];
+    if (words.every((word) => low.includes(word))) return words.length && low.startsWith(words[0]) ? 0 : 1;
+    return words.every((word) => low.includes(word) || more.includes(` ${word}`)) ? 2 : 3;
+  };
+  const ranked = entries.map((entry) => ({ entry, rank: rank(entry) })).filter((each) => each.rank < 3);
+  return ranked.sort((one, other) => one.rank - other.rank).map(({ entry }) => entry);
 }
 
 /** Outlines in 24 by 24, by kinds. */
@@ -76,7 +82,7 @@ class Finder {
     this.list.id = "softrod-found";
     this.list.setAttribute("role", "listbox");
     this.list.ariaLabel = "Found";
-    this.none = make("p", "softrod-none", "Nothing has this name.");
+    this.none = make("p", "softrod-none", "Nothing is called this. What belongs to a mass, a spring or a joint is found once one is selected.");
     const keys = make("kbd", "softrod-found-key", "Esc");
     keys.ariaHidden = "true";
     const head = make("div", "softrod-finder-head");

@@ -132,6 +132,7 @@ export function drawPanel() {
       name: control.name,
       kind: "control",
       about: [control.saying, tabOf(control)].filter(Boolean).join(" · "),
+      also: [...(control.props.options ?? []), control.props.hint ?? ""].join(" "),
       show: () => reveal(control),
     })),
   );

@@ -37,7 +37,7 @@ export function readNumber(text) {
 }
 
 /** A number without an exponent, for a box. @param {number} number */
-export const plainText = (number) => number.toLocaleString("en-US", { useGrouping: false, maximumFractionDigits: 15 });
+export const plainText = (number) => number.toLocaleString("en-US", { useGrouping: false, maximumSignificantDigits: 15 });
 
 /**
  * @typedef {object} Range what a box allows; a bound that is null does not exist
