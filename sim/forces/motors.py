@@ -195,6 +195,7 @@ class MotorsReference:
         self._motors, self._state, joint = body.environment.motors, state, body.environment.motors.joint
         springs = np.stack((body.joint_a[joint], body.joint_b[joint]))
         self._start, self._end = body.spring_a[springs], body.spring_b[springs]  # (2, M)
+        self._at_speed = False
 
     def torques(self, x: Vectors, v: Vectors) -> Floats:
         """(M,) kg px²/s², on the second springs."""
@@ -202,7 +203,14 @@ class MotorsReference:
         arm, rate = self._arms(x), v[self._end] - v[self._start]
         of_each = (arm.conj() * rate).real
         way = np.where(self._motors.steer < 0, 1.0, self._state.steer[np.maximum(self._motors.steer, 0)])
-        return torque * np.tanh((way * speed - (of_each[1] - of_each[0])) / slip)
+        turning = of_each[1] - of_each[0]
+        if self._at_speed:
+            return -torque * turning / slip
+        return torque * np.tanh((way * speed - turning) / slip)
+
+    def brace(self, x: Vectors) -> None:
+        """See `Bracing`: a motor far below its speed pulls evenly, and holds fast once it is there."""
+        self._at_speed = True
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Reference`."""

@@ -59,7 +59,7 @@ class Physics:
         return {term.name: self.terms[term.name].energy(x) for term in WITH_ENERGY}
 
     def brace(self, x: Vectors) -> None:
-        """Let springs and joints of one side act on both, since they may soon act.
+        """Let springs and joints of one side act on both, and motors as at their speeds, since they may soon.
 
         Those that do not act at positions x (px) do so as if at rest there.
         """

@@ -85,10 +85,10 @@ class Sticking(Protocol):
 
 @runtime_checkable
 class Bracing(Protocol):
-    """A `Reference` of springs or joints that may act on one side only."""
+    """A `Reference` of parts that may soon be stiffer than they are."""
 
     def brace(self, x: Vectors) -> None:
-        """Let all act on both sides; those that do not act at positions x (px), as if at rest there."""
+        """Let all act as stiffly as they can; those that do not act at positions x (px) as if at rest."""
         ...
 
 

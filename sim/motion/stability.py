@@ -22,8 +22,8 @@ Linearised about the present state, the motion is M a = -K x - C v. The stabilit
   and so are the joints', as long as springs that share a joint keep the proportions of their rest lengths.
   So hardly any body has a limit.
 
-A rope that is slack and a stop that is not reached, see `sim.forces.one_sided`, count as if they were about
-to act, so that a step bears them when they do.
+A rope that is slack, a stop that is not reached (see `sim.forces.one_sided`) and a motor that is not at its
+speed yet count as if they were about to be, so that a step bears them when they are.
 
 What is left out: the change of K and C in the course of a step, and whatever a step does that is not small.
 Damage that is done later is not known either.
@@ -227,7 +227,7 @@ class StabilityMeter:
         return StabilityEstimate(self._limit, self._cause(physics, self._start * root, self._limit))
 
     def _physics(self, step: float) -> Physics:
-        """The forces of the probe, with all ropes taut and all stops reached, since they may soon be.
+        """The forces of the probe, with ropes taut, stops reached and motors at their speeds.
 
         Walls and contact that soften do so for a step (s), 0 for the scene's.
         """
@@ -235,7 +235,8 @@ class StabilityMeter:
         if self._softens and step:
             body = body.replaced(environment=body.environment.replaced(step=step))
         physics = Physics(body, self._probe)
-        if body.environment.one_sided.springs.size or body.environment.one_sided.joints.size:
+        one_sided, motors = body.environment.one_sided, body.environment.motors
+        if one_sided.springs.size or one_sided.joints.size or motors.joint.size:
             physics.brace(self._flat(self._probe.q))
         return physics
 

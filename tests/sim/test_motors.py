@@ -78,6 +78,13 @@ def test_it_lifts_what_its_torque_can_and_stalls_below(torque: float, lifts: boo
         assert math.cos(math.radians(angle)) == pytest.approx(torque, abs=0.05)
 
 
+def test_far_from_its_speed_it_counts_as_at_its_speed_in_the_stability_limit() -> None:
+    """There it damps with T / slip, which symplectic Euler bears for steps up to 2 m r² slip / T."""
+    scene = by(crank(Motor(speed=3600.0, torque=1e7, slip=20.0)), method="symplectic_euler", dt=1e-5)
+    limit = 2.0 * ARM**2 * math.radians(20.0) / 1e7
+    assert sim.Simulation(scene).stability().limit == pytest.approx(limit, rel=0.02)
+
+
 def test_its_work_is_in_the_balance() -> None:
     scene = crank(Motor(speed=-360.0, torque=2e5, slip=20.0), gravity=G)
     simulation = sim.Simulation(by(scene, tolerance=1e-4))
