@@ -299,7 +299,7 @@ function clickCorner(at, now) {
       return;
     }
   }
-  const joint = pick.jointAt(seen, at);
+  const joint = pick.jointAt(seen, at, press.kind);
   if (joint >= 0) {
     chooseJoint(joint, now);
     return;

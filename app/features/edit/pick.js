@@ -25,8 +25,8 @@ const KNOB = { mouse: 12, pen: 14, touch: 24 };
 export const CORNER = 58;
 /** Radius of a joint's wedge, in radii of its mass. */
 export const WEDGE = 2.6;
-/** Pixels of that radius for the pointer, at least. */
-const MIN_WEDGE = 24;
+/** Pixels of that radius for the pointer, at least: beyond those from which a finger takes the mass. */
+const MIN_WEDGE = { mouse: 24, pen: 30, touch: 56 };
 
 /** @param {Record<string, number>} reach @param {string} kind of pointer */
 const within = (reach, kind) => reach[kind] ?? reach.mouse;
@@ -144,14 +144,14 @@ export function springAt(seen, at, kind) {
   return found;
 }
 
-/** The joint with the narrowest wedge that contains a place, or -1. @param {Sight} seen @param {Place} at */
-export function jointAt(seen, at) {
+/** The joint with the narrowest wedge that contains a place, or -1. @param {Sight} seen @param {Place} at @param {string} kind of pointer */
+export function jointAt(seen, at, kind) {
   const { joints, radius } = seen.plan;
   let [found, least] = [-1, Infinity];
   for (let j = 0; 4 * j < joints.length; j++) {
     const mass = joints[4 * j + 2];
     const tip = placeOf(seen, mass);
-    if (distance(tip, at) > Math.max(WEDGE * radius[mass] * seen.on.step, MIN_WEDGE)) continue;
+    if (distance(tip, at) > Math.max(WEDGE * radius[mass] * seen.on.step, within(MIN_WEDGE, kind))) continue;
     const { one, two } = armsOf(seen, j);
     const turn = wrapped(two - one);
     const part = wrapped(directionOf(tip, at) - one) * (turn < 0 ? -1 : 1);
@@ -160,16 +160,17 @@ export function jointAt(seen, at) {
   return found;
 }
 
-/** What is under a place: a mass before a joint before a spring. @param {Place} at @param {string} kind of pointer @returns {Parts} */
+/** What is under a place: a mass before a joint before a spring, but a spring that a finger meets before a joint beside it. @param {Place} at @param {string} kind of pointer @returns {Parts} */
 export function partAt(at, kind) {
   const nothing = { masses: [], springs: [], joints: [] };
   const seen = sight();
   if (!seen) return nothing;
   const mass = massAt(at, kind);
   if (mass >= 0) return { ...nothing, masses: [mass] };
-  const joint = jointAt(seen, at);
+  const met = jointAt(seen, at, "mouse") < 0 ? springAt(seen, at, "mouse") : -1;
+  const joint = met < 0 ? jointAt(seen, at, kind) : -1;
   if (joint >= 0) return { ...nothing, joints: [joint] };
-  const spring = springAt(seen, at, kind);
+  const spring = met < 0 ? springAt(seen, at, kind) : met;
   return spring >= 0 ? { ...nothing, springs: [spring] } : nothing;
 }
 

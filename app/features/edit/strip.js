@@ -24,6 +24,15 @@ const ACTIONS = ["pin", "remove", "duplicate", "mirror"];
 /** Actions that without a selection are for the whole body. @type {Action[]} */
 const ALWAYS = ["corners", "triangulate", "rest", "keep"];
 
+/** What a tool waits for while nothing is selected; where the tools have no words. @type {Record<import("./editing.js").Tool, string>} */
+const WAITS_FOR = {
+  hand: "",
+  build: "Tap for a mass, drag for a spring",
+  joint: "Tap a mass, then an angle at it",
+  select: "Tap a part, or drag round some",
+  cut: "Drag across springs",
+};
+
 /** Pixels between buttons over the bar of time and what stands next to them. */
 const GAP = 10;
 /** Pixels between the strip and the left edge of the canvas. */
@@ -92,13 +101,14 @@ class EditStrip {
 
     this.bar = toolbar("softrod-edit-bar softrod-floats", "What is selected");
     this.count = make("span", "softrod-edit-count");
+    this.hint = make("span", "softrod-edit-count");
     this.onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", copySelection, "")];
     this.muscle = wordButton("muscle", () => perform("muscle"));
     this.stiffen = actionButton("stiffen");
     this.rests = makeButton("Moved rest", () => setTakesNewLengths(!takesNewLengths()), "");
     this.rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
     this.bar.append(
-      this.count, ...this.onSelected, this.muscle, makeButton("Paste", () => pasteHere(), ""), ...ALWAYS.map(actionButton),
+      this.count, this.hint, ...this.onSelected, this.muscle, makeButton("Paste", () => pasteHere(), ""), ...ALWAYS.map(actionButton),
       this.stiffen, this.rests, tracing.button, tracing.says, makeButton("Done", () => setEditing(false), ""), tracing.row,
     );
     this.live = make("div", "softrod-tell");
@@ -149,8 +159,8 @@ class EditStrip {
   place() {
     const canvas = canvasBox();
     if (!canvas || this.strip.hidden) return;
-    const { on, selected } = editing;
-    const { strip, bar, count } = this;
+    const { on, selected, tool } = editing;
+    const { strip, bar, count, hint } = this;
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
     const left = canvas.left + MARGIN;
     const free = Math.max(canvas.top, hud?.bottom ?? 0) + GAP;
@@ -166,6 +176,8 @@ class EditStrip {
     const words = inWords(selected);
     const counted = isRow && words.includes(",") ? `${countSelected()} parts` : words;
     if (count.textContent !== counted) count.textContent = counted;
+    const waits = isRow && !words ? WAITS_FOR[tool] : "";
+    if (hint.textContent !== waits) hint.textContent = waits;
     const right = left + widthOf(".softrod-box-lid"); // of the box of instruments
     const below = window.innerHeight - floor;
     if (!on) {
