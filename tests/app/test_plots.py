@@ -295,6 +295,10 @@ def test_a_formula_takes_the_place_of_the_quantity_or_says_below_why_not() -> No
     page.enter("Formula", "")
     page.enter("New plot")
     assert len(page.tab.probe().plots) == 2
+    # A quantity that is chosen takes its place, and is not hidden by what still stands there.
+    page.enter("Formula", "mass1.y - mass0.y")
+    page.enter("Quantity", page.gui["Quantity"].options[1])
+    assert page.gui["Formula"].value == ""
     page.enter("Formula", "(" * 100_000)
     assert "named in at most 200 letters, and not in 201." in page.gui.text()
 
@@ -562,6 +566,8 @@ def test_a_fitted_curve_is_drawn_over_what_is_in_view_and_its_numbers_have_error
     assert "mass11.y from 4 s:<br>offset <b>300 px</b><br>amplitude" in text
     assert "period <b>1.5 s</b>" in text
     assert "decay rate <b>0.05 1/s</b>" in text
+    assert "less than a period" not in text
+    assert "less than a period" in analysis.fits_text(plot, analysis.fits_of(plot, (4.0, 5.0), "sine"))
     slope = analysis.fits_text(plot, analysis.fits_of(plot, 20.0, "line"))
     assert re.search(r"slope <b>-?[\d.]+ ± [\d.]+ px/s</b>", slope)
     with Image.open(

@@ -65,6 +65,20 @@ def test_a_plot_runs_with_the_body_goes_back_and_is_a_table(open_page: OpenPage)
     desk.page.mouse.move(over["x"] + 0.5 * over["width"], over["y"] + 60.0)
     desk.until(lambda: "joint0.angle, °: " in read.inner_text(), "the values are read")
 
+    # Also where all is larger, for a projector: the line stands at the pointer.
+    larger = "document.documentElement.style.setProperty('--softrod-larger', '1.25')"
+    desk.page.evaluate(larger)
+    desk.page.locator(".softrod-chart").scroll_into_view_if_needed()
+    desk.pause(0.1)
+    chart_box = box_of(desk.page.locator(".softrod-chart"))
+    desk.page.mouse.move(chart_box["x"] + 0.5 * chart_box["width"], chart_box["y"] + 60.0)
+    mark, svg = desk.page.locator(".softrod-chart-mark"), desk.page.locator(".softrod-chart")
+    middle = f"M{0.5 * float((svg.get_attribute('viewBox') or '').split()[2]):.0f}"
+    desk.until(lambda: (mark.get_attribute("d") or "").startswith(middle[:-1]), "it stands in the middle")
+    desk.page.evaluate(larger.replace("1.25", "1"))
+    desk.pause(0.1)
+    over = box_of(desk.page.locator(".softrod-chart"))
+
     # Back in time the curve is pale from where the body is; values are read there, too.
     desk.tell(commands.GoBack(0.5))
     shown = desk.simulation.time

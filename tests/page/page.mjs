@@ -279,7 +279,7 @@ export const heard = () => said.splice(0);
 export const tell = (kind, message = {}, numbers = undefined) =>
   receive({ type: "SoftrodMessage", text: JSON.stringify({ tell: kind, ...message }), numbers });
 /** Has the server tell how things are: a page with everything, and what is different now. */
-let state = { page: "a", scene: 1, controls: ["play", "edit", "tools", "view"], width: 8, height: 6, speed: 1, rest: true };
+let state = { page: "a", scene: 1, controls: ["play", "edit", "tools", "view"], width: 8, height: 6, speed: 1, rest: true, playing: true };
 export const become = (changes = {}) => tell("pageState", (state = { ...state, ...changes }));
 
 let generation = 0;

@@ -52,6 +52,22 @@ test("every finger has a mass of its own, and its own hand", () => {
   for (const id of [1, 2]) point("up", at(3), finger(id));
 });
 
+test("while the clock stands still, a click leaves a mass its velocity: it is grabbed once the pointer moves", () => {
+  become({ playing: false });
+  point("down", at(0));
+  point("move", at(0, 2));
+  point("up", at(0, 2));
+  assert.deepEqual(done(), ["pick 0"]);
+  point("down", at(0));
+  point("move", at(0, 30));
+  assert.deepEqual(done(), ["grab 0 0"]);
+  pass();
+  assert.deepEqual(done(), ["at"]);
+  point("up", at(0, 30));
+  assert.deepEqual(done(), ["drop 0"]);
+  become({ playing: true });
+});
+
 test("a mass is taken hold of from beside it, by a finger from farther off than by a mouse", () => {
   for (const [pointerType, x, has] of [["mouse", 11, true], ["mouse", 13, false], ["pen", 15, true], ["pen", 17, false], ["touch", 25, true], ["touch", 27, false]]) {
     point("down", at(3, x), { pointerType });

@@ -94,6 +94,9 @@ def fits_text(plot: Plot, fits: Sequence[Fit]) -> str:
             *(_said(number, quantity.unit, over) for number in fit.curve.numbers),
             f"rms deviation {html.escape(scatter)}",
         ]
+        in_view = fit.ends[1] - fit.ends[0]
+        if any(number.name == "period" and number.value > in_view for number in fit.curve.numbers):
+            lines.append("less than a period is in view: its errors are larger than those told")
     return _text(lines)
 
 

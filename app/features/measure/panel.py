@@ -75,15 +75,19 @@ class MeasurePanel:
             self._comma_switch.visible = False
             self._joint_table = gui.add_html("", order=LAST) if "angle" in page.controls else None
         self.plots = PlotList(page, tab, lambda: self._chosen, self._changed)
-        for chosen in (self._part, self._what, self._formula):
-            on_change(chosen, lambda: page.later(self._offer))
+        on_change(self._formula, lambda: page.later(self._offer))
+        for chosen in (self._part, self._what):
+            on_change(chosen, lambda: page.later(self._take_quantity))
         on_press(self.new, lambda: page.later(self._add_chosen))
 
     # --------------------------------------------------------------------- the ticker's
     def choose(self, mass: int) -> None:
-        """Offer a mass that was clicked, with its joints and springs."""
+        """Choose a mass that was clicked, and offer its joints and springs."""
         self._mass = mass
-        self._joint = -1  # so that the next tick updates the lists
+        self._formula.value = ""
+        self._offer()
+        self._part.value = f"mass{mass}"
+        self._offer()
 
     def build(self) -> None:
         """Adapt to another scene or other looks, see `PlotList.build`."""
@@ -105,6 +109,11 @@ class MeasurePanel:
         self.plots.tick()
 
     # --------------------------------------------------------------------- what is offered
+    def _take_quantity(self) -> None:
+        """Take what was chosen in a list, and no longer a formula."""
+        self._formula.value = ""
+        self._offer()
+
     def _offer(self) -> None:
         """Update the options of the lists."""
         part = _set_options(self._part, self.parts)

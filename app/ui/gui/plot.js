@@ -77,14 +77,14 @@ export class Plot extends Control {
     this.ranges = [];
     this.width = 0;
     this.height = 0;
-    this.svg.addEventListener("pointermove", ({ offsetX }) => this.point(offsetX));
+    this.svg.addEventListener("pointermove", (event) => this.point(this.placeOf(event)));
     this.svg.addEventListener("pointerleave", () => this.point(null));
     this.svg.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
       this.svg.setPointerCapture(event.pointerId);
-      this.from = event.offsetX;
+      this.from = this.placeOf(event);
     });
-    this.svg.addEventListener("pointerup", ({ offsetX }) => this.release(offsetX));
+    this.svg.addEventListener("pointerup", (event) => this.release(this.placeOf(event)));
     this.svg.addEventListener("pointercancel", () => (this.from = null));
     this.svg.addEventListener("dblclick", () => this.showPart(null));
     new ResizeObserver(() => this.draw()).observe(this.svg);
@@ -196,6 +196,12 @@ export class Plot extends Control {
     this.svg.replaceChildren(back, ...parts, ...curves, this.mark);
     this.svg.setAttribute("aria-label", `${upwards.map(({ label }) => label).join("; ")} over ${axes[0]?.label ?? "time"}`);
     this.read();
+  }
+
+  /** Where an event is, px from the left as they are drawn: on a projector these are larger than the window's. @param {PointerEvent} event */
+  placeOf({ clientX }) {
+    const { left, width } = this.svg.getBoundingClientRect();
+    return ((clientX - left) * this.width) / width;
   }
 
   /** @param {number | null} x px */

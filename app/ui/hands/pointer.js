@@ -21,9 +21,10 @@ const PINCH = 250;
 /** The last place of the pointer over the canvas. @type {Place | null} */
 let pointer = null;
 /**
- * Held masses by pointer: the hand, where the pointer was pressed and is now, and whether that has been sent.
+ * Held masses by pointer: the hand, where the pointer was pressed and is now, whether that has been sent, and whether it has
+ * been grabbed. While the clock stands still a mass is grabbed only once the pointer moves: a click would take its velocity.
  *
- * @type {Map<number, {mass: number, hand: number, start: Place, at: Place, moved: boolean, sent: boolean}>}
+ * @type {Map<number, {mass: number, hand: number, start: Place, at: Place, moved: boolean, sent: boolean, grabbed: boolean}>}
  */
 const holds = new Map();
 /** Times at which fingers came down on the background, ms of the events' clock. @type {Map<number, number>} */
@@ -61,7 +62,7 @@ function report() {
   asked = false;
   const hands = [];
   for (const hold of holds.values()) {
-    const point = hold.sent ? null : pointAt(hold.at);
+    const point = hold.sent || !hold.grabbed ? null : pointAt(hold.at);
     if (point) hands.push(handAt(hold.hand, point));
     hold.sent = true;
   }
@@ -103,8 +104,15 @@ function press(event) {
   event.preventDefault();
   event.stopImmediatePropagation();
   canvas.setPointerCapture(event.pointerId);
-  holds.set(event.pointerId, { mass, hand, start: place, at: place, moved: false, sent: true });
-  send({ do: "grab", hand, mass, x: wireNumber(point.x), y: wireNumber(point.y) });
+  const hold = { mass, hand, start: place, at: place, moved: false, sent: true, grabbed: false };
+  holds.set(event.pointerId, hold);
+  if (pageState().playing) grab(hold, point);
+}
+
+/** @param {{mass: number, hand: number, grabbed: boolean}} hold @param {{x: number, y: number}} point of the scene */
+function grab(hold, { x, y }) {
+  hold.grabbed = true;
+  send({ do: "grab", hand: hold.hand, mass: hold.mass, x: wireNumber(x), y: wireNumber(y) });
 }
 
 /** @param {PointerEvent} event */
@@ -117,7 +125,9 @@ function move(event) {
     hold.at = pointer = at;
     hold.sent = false;
     hold.moved ||= Math.hypot(at.x - hold.start.x, at.y - hold.start.y) > CLICK;
-    reportSoon();
+    const start = hold.moved && !hold.grabbed ? pointAt(hold.start) : null;
+    if (start) grab(hold, start);
+    if (hold.grabbed) reportSoon();
     return;
   }
   // Off the canvas, the last place on it counts.
@@ -138,7 +148,7 @@ function letGo(event) {
   if (asked) report();
   holds.delete(event.pointerId);
   freeHand(hold.hand);
-  send({ do: "drop", hand: hold.hand });
+  if (hold.grabbed) send({ do: "drop", hand: hold.hand });
   if (!hold.moved && event.type === "pointerup") send({ do: "pick", mass: hold.mass });
 }
 

@@ -56,7 +56,10 @@ export function makeChart(plot) {
     if (last) draw(last);
   };
   for (const kind of /** @type {const} */ (["pointerdown", "pointermove"])) {
-    canvas.addEventListener(kind, ({ offsetX, offsetY }) => mark(timeAt(offsetX, offsetY)));
+    canvas.addEventListener(kind, ({ clientX, clientY }) => {
+      const { left, top } = canvas.getBoundingClientRect(); // on a projector, offsets count smaller pixels
+      mark(timeAt(clientX - left, clientY - top));
+    });
   }
   // A finger that is lifted leaves the mark where it was.
   canvas.addEventListener("pointerleave", ({ pointerType }) => pointerType === "mouse" && mark(null));
