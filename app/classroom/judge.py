@@ -192,7 +192,7 @@ def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], w
     Raises:
         _Forged: it does.
     """
-    for key in controls:
+    for key in sorted(controls, key=lambda key: key not in CHOICES):  # a choice may change a number
         try:
             if key in CHOICES:
                 wanted = set_choice(wanted, key, CHOICES[key].read(has))

@@ -19,8 +19,7 @@ import msgspec
 import platformdirs
 from filelock import BaseFileLock, FileLock, Timeout
 
-from sim.scene.validate import consistent
-from sim.store.files import write_atomically
+from sim.store.files import decode_scene, write_atomically
 
 from .room import Room
 
@@ -157,13 +156,23 @@ def read(code: str) -> Room | None:
     """Read a class; None if that fails, which is logged, and the file is left alone."""
     folder = folder_of(code)
     try:
-        room = msgspec.json.decode((folder / FILE).read_bytes(), type=Room)
-        for scene in room.scenes:
-            consistent(scene)
+        room = msgspec.json.decode(_with_present_scenes((folder / FILE).read_bytes()), type=Room)
     except (OSError, ValueError, RecursionError) as error:
         _log.warning("the class in %s cannot go on: %s", folder, error)
         return None
     return room if room.code == code else None
+
+
+def _with_present_scenes(data: bytes) -> bytes:
+    """Return the file of a class with its scenes in the present format.
+
+    Raises:
+        ValueError: it is no such file, or one of its scenes is not valid.
+    """
+    fields = msgspec.json.decode(data, type=dict[str, msgspec.Raw])
+    scenes = msgspec.json.decode(fields.get("scenes", b"[]"), type=list[msgspec.Raw])
+    present = [decode_scene(bytes(scene), "scene", places=False) for scene in scenes]
+    return msgspec.json.encode({**fields, "scenes": present})
 
 
 def forget(code: str) -> None:

@@ -107,7 +107,7 @@ class Board:
 
         value = setting.read(session.scene)
         opened = session.opened
-        own = setting.read(opened) if any(each.key == setting.key for each in settings_of(opened)) else None
+        own = setting.read(opened) if setting in settings_of(opened) else None
         slider_box = SliderBox(self._page.client, self._page.mail, setting, value, post, order, own)
         self._sliders.append(slider_box)
         self._handles.append(slider_box.slider)

@@ -49,8 +49,9 @@ class Vibration:
         frequency: without damping, Hz.
         damping_ratio: the decay rate of its amplitude divided by its angular frequency; 1 at critical
             damping. Where damping couples it with others, the rate is that of its energy, see
-            `sim.analysis.decay`; for the fastest vibration, coupling is ignored. Air friction, which vanishes
-            with the amplitude, is not included; friction on walls is that of a creeping motion.
+            `sim.analysis.decay`; for the fastest vibration, coupling is ignored. Air friction is
+            included under the linear law only, since under others it vanishes with the amplitude; friction
+            on walls is that of a creeping motion.
         shape: (n, 2) amplitude of each mass relative to the largest; the sign is arbitrary.
     """
 
@@ -223,8 +224,8 @@ class Dampers:
         exact = for_analysis(scene)
         self._system, self._state = start_of(exact, build_system(exact))
         self._physics = Physics(self._system.body, self._state)
-        # Its drag grows with the square of the speed, so it does not damp small vibrations.
-        del self._physics.terms[AIR.name]
+        if scene.air_law != "linear":  # drag grows with the square of the speed, and damps no small vibration
+            del self._physics.terms[AIR.name]
         # Terms that do not depend on the velocity here damp nothing and can be left out.
         x = self._state.x + 1j * self._state.y
         v = np.random.default_rng(1).uniform(-1.0, 1.0, (2, x.size)).T.copy().view(complex)[:, 0]

@@ -32,7 +32,7 @@ from ..forces.all import (
     any_accelerations,
     kink_fraction,
     parts_of,
-    path_of,
+    paths_of,
 )
 from ..forces.plasticity import commit_plasticity, event_fraction, yielding_accelerations
 from ..forces.touch.contact import no_tunnelling
@@ -173,8 +173,9 @@ def for_events(body: Body) -> tuple[str, ...]:
 
 def for_forces(body: Body) -> tuple[str, ...]:
     """Names of the entry points that compute a body's accelerations."""
-    path = path_of(body)
-    return path.name, *(parts_of(body, "add_forces") if path.kernel is any_accelerations else ())
+    paths = paths_of(body)
+    parts = parts_of(body, "add_forces") if paths[-1].kernel is any_accelerations else ()
+    return *(path.name for path in paths), *parts
 
 
 def for_matrices(body: Body) -> tuple[str, ...]:

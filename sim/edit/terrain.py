@@ -12,7 +12,7 @@ from ..errors import SceneError
 from ..scene.types import Scene, shown_name
 from ..scene.validate import validate
 
-TERRAIN = ("gravity", "air_friction", "wind", "medium", "ground", "walls", "contact")
+TERRAIN = ("gravity", "air_friction", "air_law", "wind", "medium", "ground", "walls", "contact")
 """The fields of a scene that surround a body."""
 
 

@@ -129,7 +129,7 @@ class State(Table):
     torque_rest: Floats  # current rest angle, radians, of joint j at index j + 1
     # What acts on each mass besides the springs; all zero for a held mass.
     inverse_mass: Floats  # (slots,) 1/kg
-    air: Floats  # (slots,) air friction / mass, 1/px
+    air: Floats  # (slots,) friction of still air under the tutorial's law / mass, 1/px
     gx: Floats  # (slots,) acceleration due to gravity and the constant force on each mass, px/s²
     gy: Floats
     clock: Floats  # (1,) time of the gusts, of belts and of the muscles, s
@@ -145,6 +145,8 @@ class State(Table):
     # For derivatives, see `forces.plasticity`: 1 where a spring, or after them a joint, is yielding, else -1;
     # and at the end 1 where it does so whatever the force is, else 0.
     yields: Floats  # (S + J + 1,)
+    # Friction of still air under other laws / mass, 1/px or 1/s, zero for a held mass; empty without.
+    drag: Floats  # (slots,)
     # Tangential springs as they were at the end of the last step, see `forces.touch.friction_history`; empty
     # where there are none. Those between W walls and masses:
     wall_stretch: Rows  # (W, slots) px

@@ -1,11 +1,17 @@
-"""The air: friction, which acts on each axis by itself, and wind.
+"""The air: friction by one of three laws, and wind.
 
-With the friction F, kg/px, and the velocity w of the air at a mass, the force along each axis is
--F |v - w| (v - w). The power of it is -F |v - w| (v - w) v, and its derivative by v is -2 F |v - w|; by
-position it is 2 F |v - w| times the derivative of w.
+With the friction F and the velocity u of a mass relative to the air, the force is
 
-Still air, w = 0, is part of every step of every body. So `springs.accelerations_by` and `chain` have its
-force, from `State.air`, which is F / m, and zero for held masses and where there is wind.
+- isotropic: -F |u| u, the same in all directions; F in kg/px. Its derivative by u is -F (|u| + u uᵀ / |u|);
+- tutorial: -F |u| u on each axis by itself; F in kg/px. Its derivative is -2 F |u| on each axis;
+- linear: -F u; F in kg/s. Its derivative is -F.
+
+Its power is that force times the velocity v of the mass, and its derivative by position is minus that by u,
+times the derivative of the wind.
+
+Still air is part of every step of every body. So `springs.accelerations_by` and `chain` have its force under
+the tutorial's law, from `State.air`; under the other laws `brake` adds it, from `State.drag`. Both are F / m,
+and zero for held masses and where there is wind.
 
 Gusts are waves of velocity across their own direction, so that the air is not compressed, which the mean wind
 carries along: a wave with the wave vector k adds its amplitude times sin(k . x - k . w t + phase) to the mean
@@ -26,7 +32,7 @@ from ..engine.numerics.sines import sine
 from ..engine.table import Rows, Table
 from ..engine.tables import Body, State
 from ..scene.surroundings import Wind
-from ..scene.types import Scene, is_windy
+from ..scene.types import AirLaw, Scene, is_windy
 from .term import Floats, Places, Term, Vectors
 
 _WAVES = 12
@@ -37,11 +43,18 @@ _GOLDEN_ANGLE = math.pi * (3.0 - math.sqrt(5.0))
 """Angle between the directions of one wave and the next, radians: it spreads any number evenly."""
 
 
+TUTORIAL, ISOTROPIC, LINEAR = 0, 1, 2
+"""Codes of the laws."""
+LAWS: dict[AirLaw, int] = {"isotropic": ISOTROPIC, "tutorial": TUTORIAL, "linear": LINEAR}
+
+
 # ------------------------------------------------------------------------- rows, and how a scene gives them
 class Air(Table):
     """Read-only. K waves of gusts."""
 
-    friction: float  # F, kg/px
+    law: int  # a code
+    brakes: bool  # still air acts by `State.drag`, under a law that is not the tutorial's
+    friction: float  # F, kg/px or kg/s
     moves: bool  # there is wind, and air friction or a medium for it to act by
     wind_x: float  # px/s, the mean wind
     wind_y: float
@@ -63,16 +76,31 @@ def new_air(scene: Scene, _: Places) -> Air:
     """The table of a valid scene."""
     wind = scene.wind
     if wind is None or not is_windy(scene):
-        return still_air(scene.air_friction)
+        return still_air(scene.air_law, scene.air_friction)
     x, y = wind.velocity
-    return Air(friction=scene.air_friction, moves=True, wind_x=x, wind_y=y, waves=_waves(wind))
+    return Air(
+        law=LAWS[scene.air_law],
+        brakes=False,
+        friction=scene.air_friction,
+        moves=True,
+        wind_x=x,
+        wind_y=y,
+        waves=_waves(wind),
+    )
 
 
 @lru_cache(maxsize=16)
-def still_air(friction: float) -> Air:
-    """The table of a scene without wind. Those of all scenes of one friction are the same."""
-    waves = np.zeros((0, len(Wave._fields)))
-    return Air(friction=friction, moves=False, wind_x=0.0, wind_y=0.0, waves=waves).read_only()
+def still_air(law: AirLaw, friction: float) -> Air:
+    """The table of a scene without wind. Those of all scenes of one law and one friction are the same."""
+    return Air(
+        law=LAWS[law],
+        brakes=friction > 0.0 and law != "tutorial",
+        friction=friction,
+        moves=False,
+        wind_x=0.0,
+        wind_y=0.0,
+        waves=np.zeros((0, len(Wave._fields))),
+    ).read_only()
 
 
 def _waves(wind: Wind) -> Floats:
@@ -128,6 +156,51 @@ def wind_gradient_at(air, t, x, y):
 
 
 # ------------------------------------------------------------------------- force
+@kernel(forceinline=True, fastmath=FAST)
+def _force(law, friction, x, y):
+    """Minus the force at a velocity relative to the air."""
+    if law == TUTORIAL:
+        return friction * x * abs(x), friction * y * abs(y)
+    if law == ISOTROPIC:
+        friction *= math.sqrt(x * x + y * y)
+    return friction * x, friction * y
+
+
+@kernel(forceinline=True, fastmath=FAST)
+def _slopes(law, friction, x, y):
+    """Minus its derivatives by that velocity: of x by x, of either by the other, of y by y."""
+    if law == TUTORIAL:
+        return 2.0 * friction * abs(x), 0.0, 2.0 * friction * abs(y)
+    if law == LINEAR:
+        return friction, 0.0, friction
+    square = x * x + y * y
+    if square == 0.0:
+        return 0.0, 0.0, 0.0
+    speed = math.sqrt(square)
+    per_speed = friction / speed
+    return per_speed * (square + x * x), per_speed * x * y, per_speed * (square + y * y)
+
+
+@kernel(fastmath=FAST, noalias=True)
+def brake(body, state, v, a):
+    """Add the accelerations by still air under a law that is not the tutorial's.
+
+    They are along the velocities, so rails leave them as they are.
+    """
+    eight_at_a_time()
+    slots, drag = v.size // 2, state.drag
+    vx, vy, ax, ay = v[:slots], v[slots:], a[:slots], a[slots:]
+    if body.environment.air.law == LINEAR:
+        for i in range(1, body.masses + 1):
+            ax[i] -= drag[i] * vx[i]
+            ay[i] -= drag[i] * vy[i]
+    else:
+        for i in range(1, body.masses + 1):
+            rate = drag[i] * math.sqrt(vx[i] * vx[i] + vy[i] * vy[i])
+            ax[i] -= rate * vx[i]
+            ay[i] -= rate * vy[i]
+
+
 @kernel(fastmath=FAST, noalias=True)
 def _add_wave(wave, t, masses, x, y, u, v):
     """Add the velocity of the air in one wave at each mass."""
@@ -141,14 +214,22 @@ def _add_wave(wave, t, masses, x, y, u, v):
 
 
 @kernel(fastmath=FAST, noalias=True)
-def _drag(friction, masses, inverse_mass, u, v, vx, vy, fx, fy):
+def _drag(law, friction, masses, inverse_mass, u, v, vx, vy, fx, fy):
     """Add the friction of air that moves with the velocities u, v at the masses."""
     eight_at_a_time()
+    if law == TUTORIAL:
+        for i in range(whole_eights(masses)):
+            drag = friction if inverse_mass[i] > 0.0 else 0.0
+            past_x, past_y = vx[i] - u[i], vy[i] - v[i]
+            fx[i] -= drag * past_x * abs(past_x)
+            fy[i] -= drag * past_y * abs(past_y)
+        return
     for i in range(whole_eights(masses)):
         drag = friction if inverse_mass[i] > 0.0 else 0.0
         past_x, past_y = vx[i] - u[i], vy[i] - v[i]
-        fx[i] -= drag * past_x * abs(past_x)
-        fy[i] -= drag * past_y * abs(past_y)
+        rate = drag if law == LINEAR else drag * math.sqrt(past_x * past_x + past_y * past_y)
+        fx[i] -= rate * past_x
+        fy[i] -= rate * past_y
 
 
 @kernel(fastmath=FAST)
@@ -161,7 +242,8 @@ def _add_forces(body, state, scratch, q, v):
         u[i], w[i] = air.wind_x, air.wind_y
     for k in range(air.waves.shape[0]):
         _add_wave(_wave(air, k), t, masses, x, y, u, w)
-    _drag(air.friction, masses, state.inverse_mass[1:], u, w, vx, vy, scratch.fx[1:], scratch.fy[1:])
+    inverse_mass, fx, fy = state.inverse_mass[1:], scratch.fx[1:], scratch.fy[1:]
+    _drag(air.law, air.friction, masses, inverse_mass, u, w, vx, vy, fx, fy)
 
 
 # ------------------------------------------------------------------------- the balance
@@ -172,6 +254,11 @@ def power_of_still_air(body, state, v):
     for i in range(1, body.masses + 1):
         vx, vy = v[i], v[slots + i]
         power -= state.air[i] * body.environment.mass[i] * (vx * vx * abs(vx) + vy * vy * abs(vy))
+    if body.environment.air.brakes:
+        for i in range(1, body.masses + 1):
+            vx, vy = v[i], v[slots + i]
+            x, y = _force(body.environment.air.law, state.drag[i] * body.environment.mass[i], vx, vy)
+            power -= x * vx + y * vy
     return power
 
 
@@ -183,27 +270,51 @@ def _add_power(body, state, balance, q, v, part):
         if state.inverse_mass[i] > 0.0:
             vx, vy = v[i], v[slots + i]
             u, w = wind_at(air, state.clock[0], q[i], q[slots + i])
-            power -= air.friction * ((vx - u) * abs(vx - u) * vx + (vy - w) * abs(vy - w) * vy)
+            x, y = _force(air.law, air.friction, vx - u, vy - w)
+            power -= x * vx + y * vy
     balance.work.air += part * power
 
 
 # ------------------------------------------------------------------------- derivatives
 @kernel(fastmath=FAST)
 def _add_derivatives(body, state, matrix, q, v, g, definite):
-    """That of still air is in `solve.linear.sparse.eliminate`."""
+    """Those of moving air."""
     air, blocks, slots = body.environment.air, matrix.blocks, q.size // 2
     for i in range(body.masses):
         m, d = matrix.order[i], 4 * matrix.diagonal[i]
         u, w = wind_at(air, state.clock[0], q[m], q[slots + m])
-        drag_x, drag_y = 2.0 * air.friction * abs(v[m] - u), 2.0 * air.friction * abs(v[slots + m] - w)
+        drag_x, both, drag_y = _slopes(air.law, air.friction, v[m] - u, v[slots + m] - w)
         blocks[d] -= g * drag_x
         blocks[d + 3] -= g * drag_y
+        if air.law == ISOTROPIC:
+            blocks[d + 1] -= g * both
+            blocks[d + 2] -= g * both
         if not definite and air.waves.shape[0] > 0:
             xx, xy, yx, yy = wind_gradient_at(air, state.clock[0], q[m], q[slots + m])
             blocks[d] += drag_x * xx
             blocks[d + 1] += drag_x * xy
             blocks[d + 2] += drag_y * yx
             blocks[d + 3] += drag_y * yy
+            if air.law == ISOTROPIC:
+                blocks[d] += both * yx
+                blocks[d + 1] += both * yy
+                blocks[d + 2] += both * xx
+                blocks[d + 3] += both * xy
+
+
+@kernel(fastmath=FAST)
+def add_derivatives_of_still_air(body, state, matrix, v, g):
+    """See `Term.add_derivatives`; those by the tutorial's law are in `solve.linear.sparse.eliminate`."""
+    air, blocks, slots = body.environment.air, matrix.blocks, v.size // 2
+    if not air.brakes:
+        return
+    for i in range(body.masses):
+        m, d = matrix.order[i], 4 * matrix.diagonal[i]
+        drag_x, both, drag_y = _slopes(air.law, air.friction, v[m], v[slots + m])
+        blocks[d] -= g * drag_x
+        blocks[d + 1] -= g * both
+        blocks[d + 2] -= g * both
+        blocks[d + 3] -= g * drag_y
 
 
 @kernel(fastmath=FAST)
@@ -214,16 +325,29 @@ def add_damping_of_still_air(body, state, v, z, factor, out):
         k = slots + i
         out[i] -= factor * 2.0 * still[i] * abs(v[i]) * z[i]
         out[k] -= factor * 2.0 * still[i] * abs(v[k]) * z[k]
+    if body.environment.air.brakes:
+        for i in range(1, body.masses + 1):
+            k = slots + i
+            drag_x, both, drag_y = _slopes(body.environment.air.law, state.drag[i], v[i], v[k])
+            out[i] -= factor * (drag_x * z[i] + both * z[k])
+            out[k] -= factor * (both * z[i] + drag_y * z[k])
 
 
 @kernel(fastmath=FAST)
 def _add_damping(body, state, q, v, z, factor, out):
     air, slots = body.environment.air, z.size // 2
     for i in range(1, body.masses + 1):
-        k, drag = slots + i, 2.0 * air.friction * state.inverse_mass[i]
+        k = slots + i
         u, w = wind_at(air, state.clock[0], q[i], q[k])
-        out[i] -= factor * drag * abs(v[i] - u) * z[i]
-        out[k] -= factor * drag * abs(v[k] - w) * z[k]
+        drag = air.friction * state.inverse_mass[i]
+        if air.law == TUTORIAL:
+            drag *= 2.0
+            out[i] -= factor * drag * abs(v[i] - u) * z[i]
+            out[k] -= factor * drag * abs(v[k] - w) * z[k]
+        else:
+            drag_x, both, drag_y = _slopes(air.law, drag, v[i] - u, v[k] - w)
+            out[i] -= factor * (drag_x * z[i] + both * z[k])
+            out[k] -= factor * (both * z[i] + drag_y * z[k])
 
 
 # ------------------------------------------------------------------------- in NumPy
@@ -244,7 +368,9 @@ class AirReference:
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """See `Reference`; also on masses that are held."""
         u = v - self.wind(x) if self._air.moves else v
-        return -self._air.friction * (u.real * abs(u.real) + 1j * (u.imag * abs(u.imag)))
+        if self._air.law == TUTORIAL:
+            return -self._air.friction * (u.real * abs(u.real) + 1j * (u.imag * abs(u.imag)))
+        return -self._air.friction * (u if self._air.law == LINEAR else abs(u) * u)
 
     def energy(self, x: Vectors) -> float:
         """See `Reference`."""

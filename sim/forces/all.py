@@ -15,7 +15,7 @@ from ..engine.calls import INDIRECT_CALLS
 from ..engine.jit import FAST, kernel
 from ..engine.lanes import eight_at_a_time, whole_eights
 from ..engine.tables import Body
-from .air import AIR, add_damping_of_still_air, power_of_still_air
+from .air import AIR, add_damping_of_still_air, add_derivatives_of_still_air, brake, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
 from .events import LARGEST_PART, UNSEEN
 from .fillings import FILLINGS
@@ -47,7 +47,7 @@ ENERGIES = OTHERS + len(WITH_ENERGY)
 _OF_TERM = len(SIGNATURES)
 """Kernels that a term may have; their numbers in `ADDRESSES` follow each other."""
 _FORCES, _ENERGY, _POWER, _DERIVATIVES, _DAMPING, _IMPACT, _KINK = range(_OF_TERM)
-_CHAIN, _ANY = (_OF_TERM * len(TERMS) + path for path in range(2))
+_CHAIN, _ANY, _BRAKED = (_OF_TERM * len(TERMS) + path for path in range(3))
 _call_forces, _call_energy, _call_power, _call_derivatives, _call_damping, _call_impact, _call_kink = map(
     calls, SIGNATURES.values()
 )
@@ -127,6 +127,7 @@ def add_power(body, state, balance, q, v, part):
 def add_derivatives(body, state, matrix, q, v, g, definite):
     """See `Term.add_derivatives`."""
     around = body.environment
+    add_derivatives_of_still_air(body, state, matrix, v, g)
     for i in range(around.acting.size):
         at = around.calls[around.acting[i] * _OF_TERM + _DERIVATIVES]
         if at > 0:
@@ -189,12 +190,24 @@ def any_accelerations(body, state, scratch, q, v, a):
 
 
 @kernel(fastmath=FAST)
+def braked_accelerations(body, state, scratch, q, v, a):
+    """Like `accelerations`, of a body in still air under a law that is not the tutorial's."""
+    at = body.environment.calls[_CHAIN if is_chain_like(body) else _ANY]
+    if at > 0:
+        _call_accelerations(at, body, state, scratch, q, v, a)
+    else:
+        a[1] = np.nan
+    brake(body, state, v, a)
+
+
+@kernel(fastmath=FAST)
 def accelerations(body, state, scratch, q, v, a):
     """Accelerations of all masses at positions q and velocities v; zero where a mass is held.
 
     q, v and a are flat: x of every slot, then y of every slot.
     """
-    at = body.environment.calls[_CHAIN if is_chain_like(body) else _ANY]
+    path = _CHAIN if is_chain_like(body) else _ANY
+    at = body.environment.calls[_BRAKED if body.environment.air.brakes else path]
     if at > 0:
         _call_accelerations(at, body, state, scratch, q, v, a)
     else:
@@ -206,6 +219,7 @@ _PATHS = {
     for number, label, function in (
         (_CHAIN, "accelerations in chains", chain_accelerations),
         (_ANY, "accelerations in any body", any_accelerations),
+        (_BRAKED, "accelerations in air", braked_accelerations),
     )
 }
 _BY_TERM = [_parts_of(index, term) for index, term in enumerate(TERMS)]
@@ -214,9 +228,10 @@ PARTS = (*_PATHS.values(), *(part for parts in _BY_TERM for part in parts.values
 """All kernels of forces that are compiled by themselves."""
 
 
-def path_of(body: Body) -> Part:
-    """The kernel that computes the accelerations of a body."""
-    return _PATHS[_CHAIN if is_chain_like.py_func(body) else _ANY]
+def paths_of(body: Body) -> tuple[Part, ...]:
+    """The kernels that compute the accelerations of a body; each calls the next one."""
+    braked = (_PATHS[_BRAKED],) if body.environment.air.brakes else ()
+    return *braked, _PATHS[_CHAIN if is_chain_like.py_func(body) else _ANY]
 
 
 def parts_of(body: Body, *fields: str) -> tuple[str, ...]:

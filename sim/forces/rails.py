@@ -68,7 +68,8 @@ def keep_row_on_rail(body, blocks, m, first, behind, diagonal, a, drag_x, drag_y
         blocks: four numbers for each block, row by row.
         first, behind, diagonal: the first block of its row, one past the last, and that on the diagonal.
         a: what is on the diagonal of the matrix besides derivatives, 1/s².
-        drag_x, drag_y: minus derivatives of the friction of still air, 1/s², which are added.
+        drag_x, drag_y: minus derivatives of the friction of still air under the tutorial's law, 1/s², which
+            are added.
     """
     rails, d = body.environment.rails, 4 * diagonal
     if rails.slot.size == 0 or rails.number[m] < 0:

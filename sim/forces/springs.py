@@ -43,7 +43,7 @@ def tension(x, y, inv, u, v, rest_tension, stiffness, damping):
 
 @kernel(noalias=True, forceinline=True, fastmath=FAST)
 def accelerations_by(body, state, scratch, vx, vy, a):
-    """Accelerations by the forces in `scratch.fx` and `scratch.fy`, still air and gravity."""
+    """Accelerations by the forces in `scratch.fx` and `scratch.fy`, gravity, and the tutorial's still air."""
     eight_at_a_time()
     slots = vx.size
     fx, fy, ax, ay = scratch.fx, scratch.fy, a[:slots], a[slots:]

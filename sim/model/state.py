@@ -47,15 +47,21 @@ def new_state(system: System) -> State:
     """Allocate a state for the system's masses; `Simulation` fills it."""
     body = system.body
     springs, joints = (body.springs, body.joints) if body.limits.present else (0, 0)
-    layout = _layout_of_state(system.slots, body.stiffness.size, body.angular_stiffness.size, springs, joints)
+    drag = system.slots if body.environment.air.brakes else 0
+    layout = _layout_of_state(
+        system.slots, body.stiffness.size, body.angular_stiffness.size, springs, joints, drag
+    )
     state = layout.made()
     state.controls[0] = 1.0
     return state.replaced(**room_in_state(body, state.slots)) if body.environment.sticks else state
 
 
 @lru_cache(maxsize=16)
-def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: int) -> Layout[State]:
-    """Return the layout for padded arrays of springs and joints; `springs` and `joints` may yield."""
+def _layout_of_state(
+    slots: int, room: int, torques: int, springs: int, joints: int, drag: int
+) -> Layout[State]:
+    """Return the layout for padded arrays of springs and joints, and of `State.drag`; `springs` and `joints`
+    may yield."""
     sizes = {
         "q": (2 * slots, 1),
         "v": (2 * slots, 1),
@@ -73,6 +79,7 @@ def _layout_of_state(slots: int, room: int, torques: int, springs: int, joints: 
         "trial_angle": (joints, 0),
         "broken": (springs, 0),
         "yields": (springs + joints + 1 if springs else 0, 0),
+        "drag": (drag, 1),
     }
     return _layout(State, {field: sizes.get(field, (slots, 1)) for field in _STATE_VECTORS}, page_offset=0)
 
@@ -272,12 +279,17 @@ def put_masses(state: State, system: System, scene: Scene, held: Bools) -> None:
         state.vx[:], state.vy[:] = moving.real, moving.imag
     # The state is used for this scene only, so zeros in it have been zero from the start.
     if scene.air_friction and not scene.wind:  # the friction of wind is in the surroundings
-        state.air[masses] = inverse_mass * scene.air_friction
+        drag_of(state)[masses] = inverse_mass * scene.air_friction
     for k, (array, gravity) in enumerate(((state.gx, scene.gravity[0]), (state.gy, scene.gravity[1]))):
         if system.loads is not None:
             array[masses] = free * gravity + inverse_mass * system.loads[k]
         elif gravity:
             array[masses] = free * gravity
+
+
+def drag_of(state: State) -> Floats:
+    """Return the friction of still air in a state / mass, under the law that it has."""
+    return state.drag if state.drag.size else state.air
 
 
 def damage_in(state: State, system: System) -> Damage | None:

@@ -23,13 +23,14 @@ from numpy.typing import NDArray
 
 from ..engine.tables import SHORTEST_SQUARED, State
 from ..errors import InputError, SceneError
+from ..forces.air import still_air
 from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
-from ..model.state import new_scratch, new_state, update_rest_state
+from ..model.state import drag_of, new_scratch, new_state, update_rest_state
 from ..model.system import System, wired, with_numbers
 from ..scene.columns import column
 from ..scene.parts import AngularSpring, LinearSpring
-from ..scene.types import Scene, is_loaded, is_muscular
+from ..scene.types import AirLaw, Scene, is_loaded, is_muscular
 from ..scene.validate import validate
 from ..solve.steps.guard import GOOD
 from .divergence import Divergence
@@ -194,6 +195,7 @@ class _Shape(NamedTuple):
     method: str
     dt: float
     law: int
+    air_law: AirLaw
     masses: int
     springs: _Ends
     joints: _Ends
@@ -221,7 +223,8 @@ class _Shapes:
             or is_muscular(scene)
         ):
             return None
-        return _Shape(integrator.method, integrator.dt, law, len(scene.masses), spring_ends, joint_ends)
+        method, dt, air_law = integrator.method, integrator.dt, scene.air_law
+        return _Shape(method, dt, law, air_law, len(scene.masses), spring_ends, joint_ends)
 
     def _ends(self, parts: tuple[Any, ...]) -> _Ends | None:
         """The ends of some springs or joints; None where one of them yields or breaks."""
@@ -258,7 +261,7 @@ def _side_by_side(scenes: Sequence[Scene], shape: _Shape, steps: int, every: int
             of_lane = here[:, lane]
             for vector, row in zip(vectors, system.start, strict=True):
                 vector[of_lane] = row[of_lane - 1]
-            for field in (state.vx, state.vy, state.inverse_mass, state.air, state.gx, state.gy):
+            for field in (state.vx, state.vy, state.inverse_mass, drag_of(state), state.gx, state.gy):
                 field[of_lane] = 0.0
             solver.integrator.a.reshape(2, -1)[:, of_lane] = 0.0
             solver.integrator.run.status = GOOD
@@ -318,6 +321,8 @@ def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[
             row[anchor.mass] = 0.0
     inverse_mass = free * (1.0 / _parts(scenes, attrgetter("masses"))("mass"))
     air = np.array([0.0 if scene.wind else scene.air_friction for scene in scenes])[:, None]
+    around = body.environment.replaced(air=still_air(shape.air_law, float(air.max())))
+    body = body.replaced(environment=around)
     gravity = np.array([scene.gravity for scene in scenes])[:, None, :] * free[:, :, None]
     if any(map(is_loaded, scenes)):
         loads = np.array([[mass.force or (0.0, 0.0) for mass in scene.masses] for scene in scenes])
@@ -342,7 +347,8 @@ def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[
     state = new_state(system)
     update_rest_state(body, state)
     here = slice(1, n * width + 1)
-    fields = state.x, state.y, state.vx, state.vy, state.inverse_mass, state.air, state.gx, state.gy
+    still = drag_of(state)
+    fields = state.x, state.y, state.vx, state.vy, state.inverse_mass, still, state.gx, state.gy
     numbers = *start, weights, laid(inverse_mass * air), laid(gravity[:, :, 0]), laid(gravity[:, :, 1])
     for field, values in zip(fields, numbers, strict=True):
         field[here] = values

@@ -46,7 +46,7 @@ from ..engine.tables import (
     VerletState,
     Work,
 )
-from ..forces.all import path_of
+from ..forces.all import paths_of
 from ..forces.fillings import FillingsReference
 from ..forces.plasticity import restore_committed, without_broken
 from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
@@ -362,7 +362,7 @@ class Solver:
             *(FOR_MATRICES if implicit else ()),
             *for_events(body),
         )
-        forces = "yielding_accelerations" if body.limits.present else path_of(body).name
+        forces = "yielding_accelerations" if body.limits.present else paths_of(body)[0].name
         needed = (*needed_by(info.name, body), *(for_fallback(body) if implicit else ()), *called)
         self._fetch((*needed, *(for_energy(body) if self.balance.active else ())))
         addresses = {name: ENTRY_POINTS[name].address if name in called else 0 for name in INDIRECT_CALLS}

@@ -93,6 +93,7 @@ rope = _maker(
     driven=0,
     gravity=(0.0, 2000.0),
     air_friction=0.002,
+    air_law="tutorial",
     arrow_keys=_KEYS,
 )
 """Its defaults are the tutorial's constants."""

@@ -21,8 +21,11 @@ from .recipes.recipe import AnyRecipe, expand
 from .recipes.recipe import Rope as Rope
 from .surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
 
-FORMAT_VERSION = 3
+FORMAT_VERSION = 4
 """Version of the file format that this release writes; it reads older files and refuses newer ones."""
+
+AirLaw = Literal["isotropic", "tutorial", "linear"]
+"""How air friction depends on the velocity relative to the air; see `Scene`."""
 
 ForceLaw = Literal["tutorial", "conservative", "angle"]
 """The force law of the angular springs; see `AngularSpring`."""
@@ -158,7 +161,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     springs.
 
     Attributes:
-        format: version of the file format, 3.
+        format: version of the file format, 4.
         name: 1..60 characters.
         title: the name shown in lists of scenes, at most 60 characters; empty for its name.
         description: what the scene shows, at most 2000 characters.
@@ -167,7 +170,10 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
         masses, linear_springs, angular_springs, anchors: the body.
         fillings: gases and liquids in closed loops of masses.
         gravity: acceleration, px/s², each component within ±1e6; +y is down where `view.y_down`.
-        air_friction: 0..1000 kg/px; the force on each axis is -air_friction v |v|.
+        air_friction: 0..1000 kg/px, or kg/s under the linear law; see `air_law`.
+        air_law: how air friction depends on the velocity v relative to the air. "isotropic":
+            -air_friction |v| v, the same in all directions; "tutorial": the same on each axis by itself;
+            "linear": -air_friction v, with kg/s.
         wind: moving air, or None.
         medium: a viscous medium around all springs, which the wind moves; omitted in files if there is none.
         ground: ground below all springs of a scene seen from above; omitted in files if there is none.
@@ -197,6 +203,7 @@ class Scene(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     fillings: tuple[Gas | Liquid, ...] = ()
     gravity: Annotated[Vector, Meta(description="Acceleration of gravity (px/s²)")] = (0.0, 0.0)
     air_friction: Annotated[float, bounded(0.0, 1000.0, "kg/px", "Air friction")] = 0.0
+    air_law: AirLaw = "isotropic"
     wind: Wind | None = None
     medium: Medium | msgspec.UnsetType = msgspec.UNSET
     ground: Ground | msgspec.UnsetType = msgspec.UNSET

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, get_args
 
 import msgspec
@@ -24,6 +24,7 @@ from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Restitution, Wall, Wind
 from ..scene.types import (
+    AirLaw,
     AngularSpring,
     ForceLaw,
     Integrator,
@@ -37,6 +38,7 @@ from ..scene.types import (
 )
 from ..scene.validate import validate
 from ..solve.registry import METHODS
+from .air import with_air_law
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, keys_of_recipe, recipe_settings, turned
 from .touch import holds, touched, with_grip, with_restitution
@@ -48,7 +50,10 @@ TEMPLATES: tuple[int, ...] = get_args(Template)
 def settings_of(scene: Scene) -> list[Setting]:
     """Return the settings that apply to the scene, in the order of the panel; those of its recipes come
     last."""
-    return [setting for setting in SETTINGS.values() if setting.applies(scene)] + recipe_settings(scene)
+    applying = [setting for setting in SETTINGS.values() if setting.applies(scene)]
+    if scene.air_law == "linear":
+        applying = [_LINEAR_AIR if setting.key == _LINEAR_AIR.key else setting for setting in applying]
+    return applying + recipe_settings(scene)
 
 
 def setting_of(scene: Scene, key: str) -> Setting:
@@ -86,14 +91,16 @@ class Choice:
         read: returns the name that a scene has.
         write: returns the scene with another name, not yet validated.
         applies: whether the choice has any effect on a scene.
+        shown: whether its list is shown, of those that apply.
     """
 
     key: str
     label: str
     options: dict[str, str]
     read: Callable[[Scene], str]
-    write: Callable[[Scene, str], Scene]
+    write: Callable[[Scene, Any], Scene]
     applies: Callable[[Scene], bool]
+    shown: Callable[[Scene], bool] = lambda _: True
 
 
 def set_choice(scene: Scene, key: str, value: str) -> Scene:
@@ -504,6 +511,9 @@ _ALL = (
 SETTINGS: dict[str, Setting] = {setting.key: setting for setting in _ALL}
 """The settings that any scene may have, by their keys; see `settings_of` for those of its recipes."""
 
+_LINEAR_AIR = replace(SETTINGS["air_friction"], unit="kg/s", slider=(0.0, 25.0))
+"""Air friction under the linear law."""
+
 CHOICES: dict[str, Choice] = {
     "force_law": Choice(
         "force_law",
@@ -529,6 +539,19 @@ CHOICES: dict[str, Choice] = {
         lambda scene, name: with_grip(scene, name == "holds"),
         lambda scene: _has_walls(scene) or _has_contact(scene),
     ),
+    "air_law": Choice(
+        "air_law",
+        "Air brakes",
+        {
+            "isotropic": "alike in all directions",
+            "linear": "in proportion to speed",
+            "tutorial": "each axis by itself",
+        },
+        lambda scene: scene.air_law,
+        with_air_law,
+        moves,
+        shown=lambda scene: scene.air_friction > 0.0,
+    ),
     "method": Choice(
         "method",
         "Integrator",
@@ -542,6 +565,7 @@ CHOICES: dict[str, Choice] = {
 
 assert set(CHOICES["force_law"].options) == set(get_args(ForceLaw))
 assert set(CHOICES["restitution"].options) == set(get_args(Restitution))
+assert set(CHOICES["air_law"].options) == set(get_args(AirLaw))
 
 
 def setting_keys() -> frozenset[str]:

@@ -154,8 +154,8 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     if version == 1 and not isinstance(version, bool):
         raw = _from_format_1(raw)
     one_rope = raw.get("format", 2) == 2 and "rope" in raw and "bodies" not in raw
-    if raw.get("format") == 2:
-        raw = {**raw, "format": FORMAT_VERSION}
+    if one_rope or raw.get("format") in (2, 3):
+        raw = {"air_law": "tutorial", **raw, "format": FORMAT_VERSION}  # there was no other
     if one_rope:
         raw = _from_format_2(raw)
     raw = _with_present_method(raw)

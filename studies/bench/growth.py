@@ -65,6 +65,7 @@ def rod(masses: int, chain: bool) -> Scene:
         anchors=(Anchor(mass=0),),
         gravity=(0.0, 2000.0),
         air_friction=0.002,
+        air_law="tutorial",
     )
 
 

@@ -88,6 +88,7 @@ def random_body(seed: int) -> Scene:
             ),
             gravity=(0.0, float(rng.choice((0.0, 1000.0, 2000.0)))),
             air_friction=float(rng.choice((0.0, 0.002, 0.02))),
+            air_law="tutorial",  # its kinks are what methods with error control have to see
             force_law="tutorial" if rng.random() < 0.5 else "conservative",
         )
     )

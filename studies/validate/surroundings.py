@@ -14,7 +14,7 @@ from scipy.optimize import root_scalar
 import sim
 from sim.analysis.equilibrium import equilibrium
 from sim.scene.surroundings import Gas, Liquid, Wall, Wind
-from sim.scene.types import Method, Scene
+from sim.scene.types import AirLaw, Method, Scene
 from sim.solve.registry import METHODS
 
 from .results import Case, Result, compared, integrator_of, over_sizes
@@ -140,6 +140,26 @@ def _walls(fast: bool) -> Iterator[Result]:
         )
 
 
+def _airs(fast: bool) -> Iterator[Result]:
+    """A mass m thrown at v goes m/c ln(1 + c v t/m), or in linear air m v/c (1 - exp(-c t/m))."""
+    speed, mass, friction = 1000.0, 2.0, 0.004
+    for turn in (30.0,) if fast else (0.0, 30.0, 45.0):
+        way = math.cos(math.radians(turn)), math.sin(math.radians(turn))
+        laws: dict[AirLaw, tuple[float, float]] = {
+            "isotropic": (friction, mass / friction * math.log1p(friction * speed / mass)),
+            "tutorial": (
+                friction,
+                math.hypot(*(mass / friction * math.log1p(friction * speed * part / mass) for part in way)),
+            ),
+            "linear": (2.0, speed * (1.0 - math.exp(-1.0))),
+        }
+        thrown = sim.Mass(position=(0.0, 0.0), velocity=(speed * way[0], speed * way[1]), mass=mass)
+        for law, (size, exact) in laws.items():
+            simulation = _moved(1.0, masses=(thrown,), air_friction=size, air_law=law)
+            found = float(np.hypot(*simulation.positions[0]))
+            yield compared(f"way in 1 s of a mass thrown at {turn:g}°, {law} law", exact, found, 1e-6)
+
+
 def _winds(fast: bool) -> Iterator[Result]:
     """Against the wind w, a mass m at rest gains v = w - 1 / (1/w + c t / m)."""
     for speed in (200.0,) if fast else (50.0, 200.0, 1000.0):
@@ -214,6 +234,7 @@ CASES = (
         "its full size at all speeds but the lowest.",
         _walls,
     ),
+    Case("air", "Air", "A mass thrown through still air at an angle.", _airs),
     Case("wind", "Wind", "A mass at rest in a steady wind.", _winds),
     Case(
         "world",

@@ -13,7 +13,7 @@ import zipfile
 from contextlib import redirect_stdout
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import msgspec
 import numpy as np
@@ -31,7 +31,7 @@ from app.export.live.program import javascript_program
 from sim.errors import InputError
 from sim.forces.all import TERMS
 from sim.forces.joints import LAWS, Law
-from sim.scene.types import Circle, Damage
+from sim.scene.types import AirLaw, Circle, Damage
 from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
@@ -193,6 +193,14 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
         ("method=stable_spring", "dt=0.0005", "linear_stiffness=1000000"),
     ),
     "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
+    **{
+        f"{law} air{', wind' if wind else ''}": (
+            changed(DAMPED, air_friction=0.8 if law == "linear" else 0.004, air_law=law, wind=wind),
+            (),
+        )
+        for law in get_args(AirLaw)
+        for wind in (None, sim.Wind(velocity=(80.0, -130.0)))
+    },
 }
 
 
@@ -525,6 +533,7 @@ def test_a_scene_can_be_made_of_the_json() -> None:
         anchors=tuple(sim.Anchor(**anchor) for anchor in data["anchors"]),
         gravity=tuple(data["gravity"]),
         air_friction=data["air_friction"],
+        air_law=data["air_law"],
         force_law=data["force_law"],
         integrator=sim.Integrator(method=data["method"], dt=data["time_step"]),
     )

@@ -198,7 +198,7 @@ for words in (["scenes"], ["schema"], ["check", *{files}]):
 """
     scenes, schema, checked, _ = installed.python(code).split("= 0\n")
     assert presets <= {line.split()[0] for line in scenes.splitlines() if line.strip()}
-    assert schema == (ROOT / "schema" / "scene-3.schema.json").read_text(encoding="utf-8")
+    assert schema == (ROOT / "schema" / "scene-4.schema.json").read_text(encoding="utf-8")
     assert len(files) == len(presets)
     assert checked.count("is valid") == len(files)
 

@@ -30,17 +30,17 @@ TOUCHING = ["Friction of walls", "Bounciness of walls"]
 @pytest.mark.parametrize(
     ("scene", "sliders", "lists", "pad"),
     [
-        ("tutorial-3.3", ALL, [], True),
+        ("tutorial-3.3", ALL, ["Air brakes"], True),
         # Its angle comes from a template.
-        ("tutorial-3.2", ALL[1:], ["Angle template"], False),
+        ("tutorial-3.2", ALL[1:], ["Air brakes", "Angle template"], False),
         ("tutorial-3.1", [], [], False),
         # It was drawn by hand.
-        ("ring", ALL[:-1], [], True),
+        ("ring", ALL[:-1], ["Air brakes"], True),
         (
             balloon(wind=GUSTS, air_friction=0.01),
             ["Wind speed", "Gas pressure", "Stretching stiffness", "Stretching damping", "Rest length",
              "Gravity", "Air friction", "Wind direction", "Turbulence", *TOUCHING],
-            ["Bounces", "Friction at rest"], False,
+            ["Air brakes", "Bounces", "Friction at rest"], False,
         ),
     ],
     ids=["tutorial-3.3", "tutorial-3.2", "tutorial-3.1", "ring", "balloon"],
@@ -54,6 +54,26 @@ def test_only_controls_that_the_scene_can_use_are_there(
     assert sorted(page.gui.labels("dropdown", tab="Play")) == sorted(lists)
     assert ("Every mass of this scene is held." in page.gui.text()) == (not sliders)
     assert page.client.mail.last(PageState).arrows == pad
+
+
+def test_the_law_of_the_air_is_chosen_where_there_is_air() -> None:
+    page = WholePage("rod")
+    page.enter("Air friction", 0.0)
+    slider: Any = page.gui["Air friction"]
+    assert "Air brakes" not in page.gui.labels("dropdown", tab="Play")
+    page.enter("Air friction", 0.004)
+    assert page.gui["Air friction"] is slider  # which may be just moving
+    assert page.gui["Air brakes"].value == "alike in all directions"
+    page.enter("Air brakes", "in proportion to speed")
+    assert (page.scene.air_law, page.scene.air_friction) == ("linear", 4.0)
+    assert page.gui["Air friction"].value == 4.0
+    told = [one for one in page.client.mail.sent if isinstance(one, ControlLook)]
+    slider = page.gui["Air friction"]
+    *_, look = (look for look in told if look.id == element_id(slider))
+    assert (look.unit, look.own) == ("kg/s", None)
+    page.shown(Perform("undo"))
+    assert (page.scene.air_law, page.scene.air_friction) == ("isotropic", 0.004)
+    assert page.gui["Air brakes"].value == "alike in all directions"
 
 
 def test_a_slider_sets_the_solver_and_shows_what_it_has() -> None:

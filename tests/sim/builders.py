@@ -30,8 +30,8 @@ def tutorial_rope(**changes: Any) -> Scene:
 
 
 def tutorial_preset(name: str) -> Scene:
-    """A preset under the tutorial's law and method, whatever it says itself."""
-    return replace(sim.load_scene(name), force_law="tutorial", integrator=euler())
+    """A preset under the tutorial's laws and method, whatever it says itself."""
+    return replace(sim.load_scene(name), force_law="tutorial", air_law="tutorial", integrator=euler())
 
 
 def rod(masses: int, law: ForceLaw = "conservative", **changes: Any) -> Scene:

@@ -7,7 +7,7 @@ import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 from msgspec.structs import replace
@@ -26,7 +26,7 @@ from sim import (
     SpringMuscle,
 )
 from sim.scene.surroundings import Gas, Ground, Liquid, Medium, Wall, Wind
-from sim.scene.types import ArrowKeys, ForceLaw
+from sim.scene.types import AirLaw, ArrowKeys, ForceLaw
 from sim.settings import settings_of
 from tests.sim.bodies import sharing
 from tests.sim.changes import with_joints
@@ -157,6 +157,7 @@ def wild_scene(rng: Random) -> Scene:
         anchors=tuple(Anchor(mass=i, driven=i == held[0]) for i in held),
         gravity=(0.0, _ten_to(rng, 1.0, 4.0)),
         air_friction=float(rng.choice([0.0, 0.002, 0.05])),
+        air_law=rng.choice(get_args(AirLaw)),
         force_law=law,
         arrow_keys=ArrowKeys(),
         integrator=Integrator(method="auto"),

@@ -134,7 +134,11 @@ class Laws:
 
     def accelerations(self, positions: Complexes, speeds: Complexes) -> Complexes:
         """With gravity and air; zero where a mass is held."""
-        drag = speeds.real * abs(speeds.real) + 1j * (speeds.imag * abs(speeds.imag))
+        drag = {
+            "isotropic": abs(speeds) * speeds,
+            "tutorial": speeds.real * abs(speeds.real) + 1j * (speeds.imag * abs(speeds.imag)),
+            "linear": speeds,
+        }[self.scene.air_law]
         pull = (self.forces(positions, speeds) - self.scene.air_friction * drag) / self.mass
         pull += complex(*self.scene.gravity)
         pull[self.held] = 0.0

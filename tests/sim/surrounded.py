@@ -55,6 +55,8 @@ KINDS: dict[str, dict[str, Any]] = {
             ),
         )
     },
+    "air of the tutorial": {"air_law": "tutorial"},
+    "air of the linear law": {"air_law": "linear"},
     "steady wind": {"wind": Wind(velocity=(300.0, -80.0))},
     "gusts": {"wind": Wind(velocity=(300.0, -80.0), turbulence=0.5, length_scale=150.0, seed=3)},
     "gas": {"fillings": (Gas(masses=(0, 2, 4, 5, 3, 1), pressure=90.0, outside=20.0),)},
@@ -74,6 +76,8 @@ KINDS: dict[str, dict[str, Any]] = {
 }
 """Fields of a scene."""
 
+KINDS["gusts by the tutorial's law"] = {**KINDS["gusts"], **KINDS["air of the tutorial"]}
+KINDS["gusts by the linear law"] = {**KINDS["gusts"], **KINDS["air of the linear law"]}
 KINDS["medium"] = {"medium": Medium(across=3.0, along=1.2)}
 KINDS["current"] = {**KINDS["gusts"], **KINDS["medium"]}
 KINDS["ground"] = {"ground": Ground(gravity=800.0, forward=0.3, backward=0.5, sideways=0.9, slip_speed=90.0)}

@@ -124,7 +124,7 @@ def test_a_recipe_stays_a_recipe_in_its_file() -> None:
     raw = json.loads(encode_scene(sim.rope(masses=500)))
     assert [(body["recipe"], body["masses"]) for body in raw["bodies"]] == [("rope", 500)]
     assert not {"masses", "linear_springs", "angular_springs", "anchors"} & set(raw)
-    assert raw["format"] == 3
+    assert raw["format"] == 4
 
 
 def test_files_are_readable_json_with_vectors_on_one_line() -> None:
@@ -194,9 +194,9 @@ def mass(**fields: Any) -> dict[str, Any]:
         (mass(force=None), "masses[0].force: "),
         (mass(force=5), "masses[0].force: "),
         ({"name": "a", "rope": {}, "two\nlines": 1}, "there is no field"),
-        (minimal(format=4), "format: version 4 is newer than 3"),
+        (minimal(format=5), "format: version 5 is newer than 4"),
         (minimal(format=10**30), "format: version"),
-        (minimal(format=4, unheard_of={"of": "later"}), "format: version 4 is newer"),
+        (minimal(format=5, unheard_of={"of": "later"}), "format: version 5 is newer"),
         (minimal(format=0), "format: 0 is not in the range 1"),
         (minimal(format=True), "format: "),
         (minimal(format="1"), "format: "),

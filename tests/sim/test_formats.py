@@ -24,11 +24,11 @@ def test_format_1_knew_the_tutorials_law_and_method_only() -> None:
     for fields in ({}, {"integrator": {"dt": 0.004}}, {"integrator": {}}):
         dt = fields.get("integrator", {}).get("dt", 0.0025)
         scene = decoded(format=1, **fields)
-        assert (scene.format, scene.force_law) == (3, "tutorial")
+        assert (scene.format, scene.force_law, scene.air_law) == (4, "tutorial", "tutorial")
         assert scene.integrator == sim.Integrator(method="symplectic_euler", dt=dt)
         # The same without its version is a file of this one.
         scene = decoded(**fields)
-        assert (scene.format, scene.force_law) == (3, "conservative")
+        assert (scene.format, scene.force_law, scene.air_law) == (4, "conservative", "isotropic")
         assert scene.integrator == sim.Integrator(dt=dt)
 
 
@@ -39,13 +39,13 @@ def test_format_1_keeps_what_it_says() -> None:
     assert scene.masses == (sim.Mass(position=(1.0, 2.5)),)
 
 
-def test_format_1_is_saved_as_format_3(tmp_path: Path) -> None:
+def test_format_1_is_saved_as_format_4(tmp_path: Path) -> None:
     path = tmp_path / "old.json"
     path.write_text(json.dumps({"format": 1, "name": "old", "rope": {"masses": 5}}))
     scene = load_scene(path)
     save_scene(scene, path)
     raw = json.loads(path.read_bytes())
-    assert (raw["format"], raw["force_law"]) == (3, "tutorial")
+    assert (raw["format"], raw["force_law"], raw["air_law"]) == (4, "tutorial", "tutorial")
     assert raw["integrator"]["method"] == "symplectic_euler"
     assert load_scene(path) == scene
     assert len(scene.angular_springs) == 3
@@ -72,10 +72,11 @@ def test_format_2_had_one_recipe_that_of_a_rope() -> None:
     raw = {"name": "old", "rope": {"masses": 5, "length": 40}}
     for fields in ({"format": 2}, {}):  # a file that does not say its format may be an old one, too
         scene = decode_scene(json.dumps({**raw, **fields}).encode(), "file")
-        assert scene == Scene(name="old", bodies=(sim.Rope(masses=5, length=40.0),))
+        assert scene == Scene(name="old", bodies=(sim.Rope(masses=5, length=40.0),), air_law="tutorial")
     assert decoded(format=2, bodies=()) == decoded(format=3)
-    with pytest.raises(SceneError, match="there is no field `rope`"):
-        decode_scene(json.dumps({**raw, "format": 3}).encode(), "file")
+    for version in (3, 4):
+        with pytest.raises(SceneError, match="there is no field `rope`"):
+            decode_scene(json.dumps({**raw, "format": version}).encode(), "file")
 
 
 @pytest.mark.parametrize(

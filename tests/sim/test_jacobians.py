@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -13,13 +14,15 @@ from msgspec.structs import replace
 import sim
 from sim import AngularSpring, LinearSpring, Mass, Scene
 from sim.model.sparsity import fill
-from sim.scene.types import ForceLaw
+from sim.scene.types import AirLaw, ForceLaw
 from sim.solve.linear.sparse import assemble
 from tests.amount import examples
 from tests.sim.arrays import Arrays, Floats
 from tests.sim.bodies import LAWS, SHAPES, body, sharing
 from tests.sim.builders import built, chain, row
 from tests.sim.changes import pairs, with_joints, with_masses, with_springs
+
+AIR_LAWS: tuple[AirLaw, ...] = get_args(AirLaw)
 
 
 # ------------------------------------------------------------------------- the definite matrix
@@ -57,7 +60,7 @@ def test_a_chain_of_any_length_is_solved_like_any_other_body(law: ForceLaw, orig
             pairs(positions), velocities=pairs(rng.normal(0.0, 50.0, (count, 2))), damping=20.0,
             stiffness=2000.0, angular_stiffness=3000.0, held=(count // 2,) if count > 3 else (),
         )  # fmt: skip
-        scene = replace(scene, force_law=law, air_friction=0.01)
+        scene = replace(scene, force_law=law, air_friction=0.01, air_law=AIR_LAWS[count % 3])
         one, other = Arrays(scene), Arrays(scene, general=True)
         assert one.body.chain
         assert not other.body.chain
@@ -162,7 +165,7 @@ def graphs(draw: st.DrawFn) -> Scene:
         spots, edges, velocities=speeds,
         mass=rng.uniform(0.5, 3.0, n).tolist(), stiffness=rng.uniform(10.0, 1e3, len(edges)).tolist(),
         damping=5.0, rest_length=100.0, angular_springs=joints, held=held,
-        force_law=draw(st.sampled_from(LAWS)), air_friction=0.01,
+        force_law=draw(st.sampled_from(LAWS)), air_friction=0.01, air_law=draw(st.sampled_from(AIR_LAWS)),
     )  # fmt: skip
 
 

@@ -13,6 +13,7 @@ from scipy.integrate import solve_ivp
 import sim
 from sim import Integrator, Mass, Scene, Simulation
 from sim.engine.tables import PAST, SPARE
+from sim.scene.types import AirLaw
 from sim.solve.adams_table import adams
 from sim.solve.steps import kinks
 from tests.sim.changes import by
@@ -112,7 +113,7 @@ def test_kinks_are_looked_at_where_they_matter() -> None:
     assert not kinks.kinks_matter(np.zeros(SLOTS), a, STEP, weight, 1e-9)
 
 
-def thrown(tolerance: float, friction: float) -> Simulation:
+def thrown(tolerance: float, friction: float, law: AirLaw = "tutorial") -> Simulation:
     """Masses that rise and fall, thrown at different speeds, without springs."""
     masses = tuple(Mass(position=(30.0 * i, 0.0), velocity=(0.0, -100.0 - 40.0 * i)) for i in range(8))
     integrator = Integrator(method="adams", tolerance=tolerance, dt=1.0)
@@ -122,6 +123,7 @@ def thrown(tolerance: float, friction: float) -> Simulation:
             masses=masses,
             gravity=(0.0, 1000.0),
             air_friction=friction,
+            air_law=law,
             integrator=integrator,
         )
     )
@@ -159,6 +161,15 @@ def test_a_turn_costs_no_accuracy_wherever_in_a_step_it_is(tolerance: float) -> 
         simulation.step()
         off.append(np.abs(simulation.positions[:, 1] - expected).max() / nearby)
     assert max(off) < 5.0
+
+
+@pytest.mark.parametrize("tolerance", [1e-2, 1e-4, 1e-6])
+def test_air_that_brakes_alike_in_all_directions_has_a_kink_on_a_straight_line_only(tolerance: float) -> None:
+    """There Adams sees it, which costs steps, and now and then some accuracy."""
+    simulation = thrown(tolerance, 0.002, "isotropic")
+    simulation.step()
+    expected = [exact(100.0 + 40.0 * i, 0.002, 1.0) for i in range(8)]
+    assert np.abs(simulation.positions[:, 1] - expected).max() < 8.0 * tolerance
 
 
 @pytest.mark.parametrize("name", ["study-w2", "study-w5"])

@@ -153,7 +153,7 @@ RULES: list[tuple[Scene, str]] = [
     (changed("linear_springs.0.strength", 7.0, AROUND), r"linear_springs\[0\]\.strength: 7 is below .* 8,"),
     (changed("linear_springs.0.yield_force", None, AROUND), r"linear_springs\[0\]\.hardening: .*no effect"),
     (changed("angular_springs.0.stiffness", 0.0, AROUND), r"angular_springs\[0\]\.yield_torque: .*never"),
-    (replace(BODY, format=4), r"format: .*version 4, newer than 3"),
+    (replace(BODY, format=5), r"format: .*version 5, newer than 4"),
     (Scene(name="none"), r"masses: a scene needs at least one mass, or a recipe in bodies"),
     (changed("linear_springs.1.b", 3), r"linear_springs\[1\]\.b: mass 3 does not exist \(0\.\.2\)"),
     (changed("linear_springs.0.a", 7), r"linear_springs\[0\]\.a: mass 7 does not exist"),
@@ -235,6 +235,7 @@ TYPES: list[tuple[str, Any, str]] = [
     ("integrator.method", "leapfrog", "integrator.method: "),
     ("integrator.method", True, "integrator.method: "),
     ("force_law", "cosine", "force_law: "),
+    ("air_law", "cubic", "air_law: "),
     ("anchors.0.circle", 5.0, "anchors[0].circle: "),
     ("view.unit", "", "view.unit: "),
     ("view.colors", "blue", "view.colors: "),
@@ -412,7 +413,8 @@ def test_a_recipe_hands_on_its_angular_damping_and_the_circle_of_its_first_mass(
 
 def test_a_scene_says_nothing_of_laws_and_methods_and_gets_the_usual_ones() -> None:
     scene = validate(Scene(name="one", masses=(Mass(position=(0.0, 0.0)),)))
-    assert (scene.format, scene.force_law, scene.integrator.method) == (3, "conservative", "auto")
+    assert (scene.format, scene.force_law, scene.integrator.method) == (4, "conservative", "auto")
+    assert (scene.air_law, sim.box().air_law, sim.rope().air_law) == ("isotropic", "isotropic", "tutorial")
     assert sim.rope().force_law == "conservative"
 
 

@@ -377,7 +377,7 @@ def test_wrong_assignments_are_refused(preset: str, text: str, sentence: str) ->
 def test_a_choice_and_a_number_are_not_taken_for_each_other() -> None:
     scene = load_scene("rope")
     assert "method: this takes a name: auto, " in refusal(SettingError, set_value, scene, "method", 1.0)
-    there = "law: there is no such choice; there are force_law, restitution, grip, method"
+    there = "law: there is no such choice; there are force_law, restitution, grip, air_law, method"
     assert refusal(SettingError, set_choice, scene, "law", "angle") == there
 
 

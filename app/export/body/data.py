@@ -237,6 +237,7 @@ def _settings(body: Body) -> dict[str, Any]:
         "force_law": scene.force_law,
         "gravity": scene.gravity,
         "air_friction": scene.air_friction,
+        "air_law": scene.air_law,
     }
 
 
@@ -262,4 +263,6 @@ def _table(columns: Columns, scene: sim.Scene) -> list[Sequence[Any]]:
 
 def _unit(name: str, scene: sim.Scene) -> str:
     unit = _UNITS.get(name) or _MORE_UNITS.get(name, "")
+    if name == "air_friction" and scene.air_law == "linear":
+        unit = "kg/s"
     return unit.replace("L", scene.view.unit)

@@ -102,6 +102,8 @@ class Plan:
         has = {
             "GRAVITY": any(scene.gravity),
             "AIR": air,
+            "AIR_BY_AXES": air and scene.air_law == "tutorial",
+            "AIR_BY_SPEED": air and scene.air_law == "isotropic",
             "WIND": (air or medium) and any(body.wind),
             "MEDIUM": medium,
             "GROUND": ground,
@@ -217,7 +219,8 @@ class Plan:
         if scene.ground:
             given |= {"FORWARD": scene.ground.forward, "BACKWARD": scene.ground.backward}
             given |= {"SIDEWAYS": scene.ground.sideways, "SLIP": scene.ground.slip_speed}
-        return {"STEPS": str(STEPS), **{name: repr(number) for name, number in given.items()}}
+        words = {"STEPS": str(STEPS), "AIR_UNIT": "kg/s" if scene.air_law == "linear" else "kg/px"}
+        return words | {name: repr(number) for name, number in given.items()}
 
 
 def python_program(body: Body) -> tuple[bytes, list[str]]:

@@ -35,6 +35,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "gravity": list(map(float, scene.gravity)),
         "down": 1 if scene.view.y_down else -1,
         "airFriction": scene.air_friction,
+        "airLaw": scene.air_law,
         "wind": list(body.wind),
         "waves": air.waves.tolist(),
         "medium": msgspec.to_builtins(scene.medium) if scene.medium else None,

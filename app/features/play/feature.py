@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 ELSEWHERE = ("dt", "tolerance")
 """Settings whose sliders stand in the Solver tab."""
 
-TOUCH_CHOICES = ("restitution", "grip")
+BODY_CHOICES = ("air_law", "restitution", "grip")
 """Choices whose lists stand below the sliders of the body."""
 
 
@@ -69,25 +69,25 @@ class PlayFeature(Feature):
         scene = self.session.scene
         self._panel.build(scene)
         dials = dials_of(scene)
-        touching = [key for key in TOUCH_CHOICES if CHOICES[key].applies(scene)]
-        if not self._board.is_new((dials, touching)):
+        choices = [key for key in BODY_CHOICES if CHOICES[key].applies(scene)]
+        if not self._board.is_new((dials, choices)):
             return
         named = self.page.controls.named_settings(dials)
         first = main_settings(dials) if named is None else named
         self._board.add_sliders(self._tab, first)
         if "body" in self.page.controls:
             others = [dial for dial in dials if dial not in first and dial.key not in ELSEWHERE]
-            self._add_numbers(self._tab, others, touching, moves=bool(dials))
+            self._add_numbers(self._tab, others, choices, moves=bool(dials))
 
     def _add_numbers(
-        self, tab: viser.GuiTabHandle, others: list[Setting], touching: list[str], moves: bool
+        self, tab: viser.GuiTabHandle, others: list[Setting], choices: list[str], moves: bool
     ) -> None:
         """Add the other sliders of the body, and its lists, in a folder.
 
         Args:
             tab: where that stands.
             others: what the sliders set.
-            touching: keys of the choices about contact that the scene has.
+            choices: keys of the choices that the scene has.
             moves: whether the body has any slider.
         """
         gui = self.page.client.gui
@@ -102,7 +102,7 @@ class PlayFeature(Feature):
                 return
             folder = gui.add_folder("More numbers", order=LAST + 3, expand_by_default=False)
         self._board.add_sliders(folder, others)
-        self._board.add_choices(folder, touching, LAST - 2)
+        self._board.add_choices(folder, choices, LAST - len(BODY_CHOICES))
         with folder:
             own_values = self.page.button(
                 "Scene's own values",

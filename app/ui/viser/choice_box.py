@@ -36,4 +36,5 @@ class ChoiceBox:
 
     def show(self, scene: Scene) -> None:
         """Show the value of a scene."""
+        self.handle.visible = self._choice.shown(scene)
         self.handle.value = self._choice.options[self._choice.read(scene)]

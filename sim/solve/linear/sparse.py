@@ -17,7 +17,8 @@ from ...forces.rails import keep_row_on_rail
 
 @kernel(fastmath=FAST)
 def assemble(body, state, matrix, q, v, g, definite):
-    """Fill the pattern with the derivatives of all forces except still-air friction, kg/s².
+    """Fill the pattern with the derivatives of all forces, kg/s², except the friction of still air under the
+    tutorial's law.
 
     These are derivatives with respect to positions, plus g times those with respect to velocities; see
     `forces.term.Term.add_derivatives`.

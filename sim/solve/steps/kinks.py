@@ -1,11 +1,12 @@
-"""Kinks of air friction where a velocity component changes its sign, kept away from Adams methods.
+"""Kinks of the tutorial's air friction where a velocity component changes its sign, kept away from Adams
+methods.
 
-Along each axis, friction slows a mass by air v |v|, which is air v² with a sign that jumps where v passes
-through zero. Between such moments everything is smooth. So the polynomial through past accelerations uses one
-sign only, that of the present v. A step in which v changes its sign is done with the old sign; the effect of
-friction after the change is added separately; and the past accelerations are rewritten as if friction had
-always had the new sign. Otherwise polynomials of high degree would see each kink for as many steps as they
-look back.
+Along each axis, that friction slows a mass by air v |v|, which is air v² with a sign that jumps where v
+passes through zero. Between such moments everything is smooth. So the polynomial through past accelerations
+uses one sign only, that of the present v. A step in which v changes its sign is done with the old sign; the
+effect of friction after the change is added separately; and the past accelerations are rewritten as if
+friction had always had the new sign. Otherwise polynomials of high degree would see each kink for as many
+steps as they look back.
 """
 
 from __future__ import annotations

@@ -26,7 +26,7 @@ DT = GIVEN_DT  # time step, s
 GRAVITY = np.array((GIVEN_GRAVITY_X, GIVEN_GRAVITY_Y))  # px/s^2
 # endif
 # ifdef HAS_AIR
-AIR = GIVEN_AIR  # air friction, kg/px
+AIR = GIVEN_AIR  # air friction, GIVEN_AIR_UNIT
 # endif
 # ifdef HAS_WIND
 WIND = np.array((GIVEN_WIND_X, GIVEN_WIND_Y))  # velocity of the air, px/s
@@ -311,7 +311,13 @@ def accelerations(x, v):
     # ifdef HAS_WIND
     air = v - WIND
     # endif
-    a -= AIR * air * abs(air) / MASS  # along each axis
+    # ifdef HAS_AIR_BY_AXES
+    air = air * abs(air)
+    # endif
+    # ifdef HAS_AIR_BY_SPEED
+    air = air * np.sqrt((air * air).sum(1, keepdims=True))
+    # endif
+    a -= AIR * air / MASS
     # endif
     # ifdef HAS_GRAVITY
     a += GRAVITY

@@ -327,12 +327,18 @@ static void accelerate(softbody *body) {
     for (int i = 0; i < SOFTBODY_MASSES; i++) {
         body->mass[i].ax /= body->mass[i].mass, body->mass[i].ay /= body->mass[i].mass;
 # ifdef HAS_AIR
-        // Air friction acts along each axis.
         double u = body->mass[i].vx, w = body->mass[i].vy;
 # ifdef HAS_WIND
         u -= body->wind_x, w -= body->wind_y;
 # endif
-        body->mass[i].ax -= body->air * u * fabs(u) / body->mass[i].mass, body->mass[i].ay -= body->air * w * fabs(w) / body->mass[i].mass;
+# ifdef HAS_AIR_BY_AXES
+        u *= fabs(u), w *= fabs(w);
+# endif
+# ifdef HAS_AIR_BY_SPEED
+        double speed = sqrt(u * u + w * w);
+        u *= speed, w *= speed;
+# endif
+        body->mass[i].ax -= body->air * u / body->mass[i].mass, body->mass[i].ay -= body->air * w / body->mass[i].mass;
 # endif
 # ifdef HAS_GRAVITY
         body->mass[i].ax += body->gravity_x, body->mass[i].ay += body->gravity_y;

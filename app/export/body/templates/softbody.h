@@ -117,7 +117,7 @@ struct softbody {
     double gravity_x, gravity_y;  // px/s^2
 # endif
 # ifdef HAS_AIR
-    double air;  // air friction, kg/px
+    double air;  // air friction, GIVEN_AIR_UNIT
 # endif
 # ifdef HAS_WIND
     double wind_x, wind_y;  // velocity of the air, px/s

@@ -12,6 +12,7 @@ import { clamp, pushAndFriction, softened } from "./push.js";
 
 /**
  * @typedef {"tutorial" | "conservative" | "angle"} ForceLaw
+ * @typedef {"isotropic" | "tutorial" | "linear"} AirLaw
  * @typedef {{mass: number, x: number, y: number, radius: number, frequency: number, ramp: number}} Circle a held mass that
  *   goes round: where it would be at time zero, px; turns per second; the time constant with which it speeds up, s
  * @typedef {{masses: number[], isGas: boolean, strength: number, outside: number, area: number}} Filling the pressure of a gas
@@ -44,7 +45,8 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {ForceLaw} law
  * @property {number[]} gravity px/s²
  * @property {number} down sign of y on the way down the screen
- * @property {number} airFriction kg/px
+ * @property {number} airFriction kg/px, or kg/s under the linear law
+ * @property {AirLaw} [airLaw] the tutorial's, if there is none
  * @property {number[]} wind px/s
  * @property {Wave[]} waves
  * @property {Medium | null} medium
@@ -103,6 +105,7 @@ export class Body {
     this.law = data.law;
     this.gravity = [...data.gravity];
     this.airFriction = data.airFriction;
+    this.airLaw = data.airLaw ?? "tutorial";
     this.wind = [...data.wind];
     this.medium = data.medium && { ...data.medium };
     this.ground = data.ground && { ...data.ground };
@@ -496,14 +499,16 @@ export class Body {
   }
 
   #addAir() {
-    const { velocities: v, accelerations: a, airFriction, blow } = this;
+    const { velocities: v, accelerations: a, airFriction, airLaw, blow } = this;
     if (!airFriction) return;
     for (let i = 0; i < 2 * this.masses; i += 2) {
       this.#blowAt(i);
       const past = v[i] - blow[0];
       const beside = v[i + 1] - blow[1];
-      a[i] -= airFriction * past * Math.abs(past);
-      a[i + 1] -= airFriction * beside * Math.abs(beside);
+      // By what each component is multiplied.
+      const speed = airLaw === "linear" ? 1 : Math.sqrt(past * past + beside * beside);
+      a[i] -= airFriction * past * (airLaw === "tutorial" ? Math.abs(past) : speed);
+      a[i + 1] -= airFriction * beside * (airLaw === "tutorial" ? Math.abs(beside) : speed);
     }
   }
 

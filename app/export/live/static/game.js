@@ -51,7 +51,7 @@ function towards(positions, { mass, x, y }, part) {
  *
  * To be read: `positions`, `velocities`, `time`, `masses` (how many), `ends` (two masses of each spring), `broken` (1 for
  * each spring that is), `angleOf(joint)`. To be written at any time: `positions`, `velocities`, `gravity`, `airFriction`,
- * `wind`, `stiffness`, `damping`, `restLength`; and `restAngle` and `jointStiffness`, but call `refresh()` after it.
+ * `airLaw`, `wind`, `stiffness`, `damping`, `restLength`; and `restAngle` and `jointStiffness`, but call `refresh()` after it.
  */
 export class SoftBody extends Body {
   /** @type {Map<number, Hand>} */
