@@ -20,6 +20,8 @@ from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point
 
 SMALL = (820, 620)
+COUNT = ".softrod-edit-count"
+"""What is selected, and the place of what a tool waits for."""
 
 
 def counts(desk: Desk) -> tuple[int, int, int]:
@@ -165,7 +167,7 @@ def test_a_frame_selects_what_is_moved_pinned_and_cut_off(open_page: OpenPage) -
     tool(desk, "Select")
     drag(desk, beside(desk, 6, -40.0, -9.0), beside(desk, 9, 40.0, 9.0))
     desk.until(lambda: desk.session.selection.masses == {6, 7, 8, 9}, "they are selected", limit=5.0)
-    count = page.locator(".softrod-edit-count").first
+    count = page.locator(COUNT).first
     desk.until(lambda: count.inner_text() == "9 parts", "the bar says how many")
     before = desk.simulation.positions
     page.keyboard.down("Alt")  # off the grid
@@ -241,9 +243,7 @@ def test_by_touch(open_page: OpenPage) -> None:
     # A finger that rests selects what is under it.
     send("touchStart", desk.place(13))
     desk.until(lambda: desk.session.selection == Selection(masses=frozenset({13})), "it is selected")
-    desk.until(
-        lambda: desk.page.locator(".softrod-edit-count").first.inner_text() == "1 mass", "the bar says so"
-    )
+    desk.until(lambda: desk.page.locator(COUNT).first.inner_text() == "1 mass", "the bar says so")
     desk.pause(0.7)
     send("touchEnd")
     assert counts(desk) == (14, 13, 10)

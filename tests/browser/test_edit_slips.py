@@ -14,7 +14,7 @@ from app.session import commands
 from sim.edit.edit import Selection
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
-from tests.browser.test_edit import becomes, beside, drag, paused, put_picture, tool
+from tests.browser.test_edit import COUNT, becomes, beside, drag, paused, put_picture, tool
 
 
 def pick(desk: Desk, **parts: set[int]) -> None:
@@ -22,7 +22,7 @@ def pick(desk: Desk, **parts: set[int]) -> None:
     desk.tell(commands.Select(lambda *_: chosen))
     shown = sum(len(some) for some in parts.values())
     desk.until(
-        lambda: desk.page.locator(".softrod-edit-count").first.inner_text().startswith(str(shown)),
+        lambda: desk.page.locator(COUNT).first.inner_text().startswith(str(shown)),
         "it is selected",
     )
 
@@ -82,7 +82,7 @@ def test_a_phone_has_room_for_the_body_beside_the_tools(open_page: OpenPage, tmp
             lambda: strip.evaluate("e => e.getBoundingClientRect().top") > scale.evaluate(low),
             "the strip is below the scale bar",
         )
-    count = desk.page.locator(".softrod-edit-count").first
+    count = desk.page.locator(COUNT).first
     desk.until(lambda: count.inner_text() == "24 parts", "the bar has a short word for all of it")
     assert seen()
     # What is to be done with a picture comes into view.
