@@ -105,9 +105,13 @@ def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
 
 def clear_factors(matrix: Matrix) -> None:
     """Discard the computed contents of a matrix; its pattern stays."""
-    for _, array in matrix.arrays():
-        if array.dtype == np.float64:
-            array[:] = 0.0
+    for array in factors_of(matrix):
+        array[:] = 0.0
+
+
+def factors_of(matrix: Matrix) -> list[Floats]:
+    """The arrays of the computed contents of a matrix."""
+    return [array for _, array in matrix.arrays() if array.dtype == np.float64]
 
 
 def fill(body: Body, matrix: Matrix) -> tuple[int, int]:

@@ -20,6 +20,7 @@ from ..compiling.compiler import (
 )
 from ..engine.calls import INDIRECT_CALLS
 from ..engine.layout import Layout, aligned_arena
+from ..engine.table import Record
 from ..engine.tables import (
     CHOICES,
     CONTROL_SCALE,
@@ -32,6 +33,7 @@ from ..engine.tables import (
     AutoState,
     EnergyBalance,
     Floats,
+    Indices,
     IntegratorState,
     Matrix,
     PhasePoint,
@@ -49,7 +51,7 @@ from ..engine.tables import (
 from ..forces.all import path_of
 from ..forces.fillings import FillingsReference
 from ..forces.plasticity import restore_committed, without_broken
-from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
+from ..model.sparsity import NO_MATRIX, clear_factors, factors_of, new_matrix
 from ..model.state import update_rest_state
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
@@ -60,6 +62,7 @@ from ..solve.steps import guard
 from ..solve.steps.fallback import run_fallback
 from ..solve.tableaux import RK4
 from .auto_costs import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
+from .checkpoint import SolverMemory, Words, writable
 from .stability import damped_limit, quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
@@ -249,6 +252,38 @@ class Solver:
         run.time, run.origin, run.fastest = time, time, fastest
         if self._own is None:
             self._forget_turns()
+
+    def remembered(self) -> SolverMemory:
+        """Return all that it knows of earlier steps, to the last bit, and what is in its scratch."""
+        factors = None if self._matrix is None else Words.of(factors_of(self._matrix))
+        costs = None if self._costs is None else self._costs.copy()
+        return SolverMemory(Words.of(self._arrays), self._numbers, factors, costs)
+
+    def remember(self, memory: SolverMemory) -> None:
+        """Go on as a solver of the same tables would that had remembered this; the state is another matter."""
+        memory.arrays.put_into(self._arrays)
+        self._words[:] = self._first_words
+        for record, numbers in zip(self._records, memory.numbers, strict=True):
+            record.put(numbers)
+        self._costs, self._problem = memory.costs, None
+        self._missing = set()
+        if memory.factors is None:
+            self._matrix = None
+        else:
+            memory.factors.put_into(factors_of(self.matrix))
+
+    @property
+    def _arrays(self) -> list[Floats | Indices]:
+        return [self._memory, *writable(self.scratch.arrays())]
+
+    @property
+    def _records(self) -> list[Record]:
+        every = (getattr(self.integrator, name) for name in sorted(self.integrator.tables))
+        return [each for each in every if isinstance(each, Record)]
+
+    @property
+    def _numbers(self) -> tuple[tuple[int, ...], ...]:
+        return tuple(record.contents() for record in self._records)
 
     def _forget_turns(self) -> None:
         """Forget what `auto` has learnt of its methods."""
