@@ -11,6 +11,7 @@ import hashlib
 import os
 import platform
 from dataclasses import dataclass, field
+from functools import lru_cache
 from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
@@ -200,6 +201,16 @@ class Check(Entry, frozen=True, tag_field="do", tag="check"):
 
 
 _Kinds = Step | Move | Lead | Follow | Grab | Release | Keys | Set | Choose | FollowEnergy | Restore | Check
+
+
+_decoder: Any = msgspec.json.Decoder(_Kinds)
+
+
+@lru_cache(maxsize=256)
+def decode_entry(line: bytes) -> Entry:
+    """The entry of a line that this program has written."""
+    entry: Entry = _decoder.decode(line)
+    return entry
 
 
 class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -397,9 +408,8 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
         else:
             log = Log(source, scene)
         present = scene
-        decoder: Any = msgspec.json.Decoder(_Kinds)
         for number, line in lines:
-            entry = decoder.decode(line)
+            entry = _decoder.decode(line)
             if again := repeated_key(line):
                 raise InputError(f"the key {again[0][:60]!r} stands twice in one object")
             if isinstance(entry, Restore):

@@ -11,6 +11,7 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.motion.solver import UNLIMITED
 
 from . import log
+from .history import History
 from .log import Entry, Log
 
 _MAX_OWED = 0.5
@@ -26,6 +27,7 @@ class Player:
         record: the log.
         simulation: the body of `record.scene`, at its start.
         energy: whether to follow the energy throughout, regardless of the log.
+        history: whose reel notes what is done; None for a body that nobody takes back in time.
 
     Attributes:
         record, simulation: as above.
@@ -33,8 +35,10 @@ class Player:
         difference: a sentence on the first difference from the record, or None.
     """
 
-    def __init__(self, record: Log, simulation: sim.Simulation, energy: bool = False) -> None:
-        self.record, self.simulation, self._energy = record, simulation, energy
+    def __init__(
+        self, record: Log, simulation: sim.Simulation, energy: bool = False, history: History | None = None
+    ) -> None:
+        self.record, self.simulation, self._energy, self._history = record, simulation, energy, history
         if energy:
             simulation.track_energy(True)
         self.steps = 0
@@ -67,7 +71,9 @@ class Player:
         Raises:
             InputError: it cannot be done; names the line.
         """
-        entry = self.upcoming
+        entry, history = self.upcoming, self._history
+        if history is not None:
+            history.ready(self.simulation, self.simulation.complete)
         try:
             done = self._do(entry, attempts)
         except (InputError, SceneError, SettingError) as error:
@@ -127,6 +133,7 @@ class Player:
             case log.Step(n=n, attempts=attempts):
                 allowed = UNLIMITED if attempts is None else attempts
                 done = simulation.step(n, min(allowed, most))
+                self._note(log.Step(n=n, attempts=min(allowed, most)))
                 if done < n and most < allowed and simulation.divergence is None:
                     raise InputError(_TOO_HEAVY)
                 return done
@@ -134,12 +141,19 @@ class Player:
                 pass
             case log.Act():
                 entry.do(simulation)
+                self._note(entry)
             case log.Restore():
+                if self._history is not None:
+                    self._history.reel.close()
                 moment = self.record.moments.get(self._index)
                 simulation.restore(moment or log.moment_of(entry, simulation.capture().scene))
             case log.Check():
                 self._check(entry)
         return 0
+
+    def _note(self, entry: Entry) -> None:
+        if self._history is not None:
+            self._history.reel.note(entry)
 
     def _check(self, check: log.Check) -> None:
         self._checks += 1

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..engine.tables import Body, Indices, Matrix
+from ..engine.tables import Body, Floats, Indices, Matrix
 from ..forces.fillings import SMALL
 from .system import slots_of
 

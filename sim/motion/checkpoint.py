@@ -59,13 +59,13 @@ class SolverMemory(NamedTuple):
     """What a method remembers of its last steps.
 
     Attributes:
-        arrays: contents of its arrays, and of its scratch.
+        arrays: contents of its arrays, and of its scratch; None if it is to begin anew.
         numbers: of its records.
         factors: contents of its matrix; None if it has made none.
         costs: of the steps of `auto`'s methods; None if unknown.
     """
 
-    arrays: Words
+    arrays: Words | None
     numbers: tuple[tuple[int, ...], ...]
     factors: Words | None
     costs: Floats | None

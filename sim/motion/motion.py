@@ -216,7 +216,7 @@ class Motion:
         return MotionMemory(
             damageable=self.damageable,
             state=Words.of(writable(self.state.arrays())),
-            solver=self.solver.remembered(),
+            solver=self.solver.remembered(self._begins),
             origin=self._origin,
             begins=self._begins,
             steps=self.steps,

@@ -253,20 +253,28 @@ class Solver:
         if self._own is None:
             self._forget_turns()
 
-    def remembered(self) -> SolverMemory:
-        """Return all that it knows of earlier steps, to the last bit, and what is in its scratch."""
-        factors = None if self._matrix is None else Words.of(factors_of(self._matrix))
+    def remembered(self, begins: bool) -> SolverMemory:
+        """Return all that it knows of earlier steps, to the last bit, and what is in its scratch.
+
+        Args:
+            begins: whether `load` comes next, so that it knows nothing.
+        """
         costs = None if self._costs is None else self._costs.copy()
-        return SolverMemory(Words.of(self._arrays), self._numbers, factors, costs)
+        if begins:
+            return SolverMemory(None, (), None, costs)
+        factors = None if self._matrix is None else Words.of(factors_of(self._matrix))
+        numbers = tuple(record.contents() for record in self._records)
+        return SolverMemory(Words.of(self._arrays), numbers, factors, costs)
 
     def remember(self, memory: SolverMemory) -> None:
-        """Go on as a solver of the same tables would that had remembered this; the state is another matter."""
+        """Go on as a solver of the same tables did that had remembered this; not the state."""
+        self._costs, self._problem, self._missing = memory.costs, None, set()
+        if memory.arrays is None:
+            return
         memory.arrays.put_into(self._arrays)
         self._words[:] = self._first_words
         for record, numbers in zip(self._records, memory.numbers, strict=True):
             record.put(numbers)
-        self._costs, self._problem = memory.costs, None
-        self._missing = set()
         if memory.factors is None:
             self._matrix = None
         else:
@@ -280,10 +288,6 @@ class Solver:
     def _records(self) -> list[Record]:
         every = (getattr(self.integrator, name) for name in sorted(self.integrator.tables))
         return [each for each in every if isinstance(each, Record)]
-
-    @property
-    def _numbers(self) -> tuple[tuple[int, ...], ...]:
-        return tuple(record.contents() for record in self._records)
 
     def _forget_turns(self) -> None:
         """Forget what `auto` has learnt of its methods."""

@@ -15,7 +15,17 @@ from studies.bench.frames import rod
 from tests.amount import part_of
 from tests.sim.surrounded import with_everything
 
-SCENES = ("tutorial-3.3", "ring", "girder", "pile", "stick-slip", "kapitza", "walker", "water-balloon", "crane")
+SCENES = (
+    "tutorial-3.3",
+    "ring",
+    "girder",
+    "pile",
+    "stick-slip",
+    "kapitza",
+    "walker",
+    "water-balloon",
+    "crane",
+)
 
 
 def same(one: Simulation, other: Simulation) -> bool:

@@ -1,0 +1,229 @@
+"""The whole run: any of its frames is computed again to the last bit, within the memory and the time it may take."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sim
+from app.session import commands, history, log, reel
+from app.session.history import History
+from app.session.reel import Reel
+from sim.edit import build
+from tests.app.pages import FRAME, SessionPage, in_one_piece
+from tests.app.recording import decode_log, log_of
+from tests.sim.changes import by
+
+
+def state(moment: sim.Moment) -> tuple[Any, ...]:
+    """All of a moment, to be compared to the last bit."""
+    keyed = moment.rest_length_scale, moment.rest_angle_shift
+    return moment.rows.tobytes(), moment.time, moment.step_count, moment.scene, keyed, moment.damage, moment.grips
+
+
+class Watched(SessionPage):
+    """A page of which somebody else notes each frame.
+
+    Attributes:
+        seen: the states at the ends of frames, by time, without those of an abandoned future.
+    """
+
+    def __init__(self, scene: sim.Scene | str) -> None:
+        self.seen: dict[float, Any] = {}
+        super().__init__(scene)
+
+    def frames(self, count: int, *posts: commands.Command) -> None:
+        for i in range(count):
+            super().frames(1, *(posts if i == 0 else ()))
+            session = self.session
+            if not session.history.scrubbed:
+                last = session.history[session.history.last]
+                self.seen = {time: known for time, known in self.seen.items() if time < last.time}
+                self.seen[last.time] = state(last)
+
+    def compare(self, rng: np.random.Generator, count: int) -> None:
+        """Go to some frames, which have to be as they were."""
+        times = list(self.seen)
+        for time in rng.choice(times, count):
+            super().frames(1, commands.GoTo(float(time)))
+            assert state(self.simulation.capture()) == self.seen[time], time
+
+
+def longer(moment: sim.Moment, _: object) -> Any:
+    scene = moment.scene
+    x, y = moment.positions[-1].tolist()
+    return build.add_mass(scene, (x + 30.0, y))
+
+
+def eventful(page: Watched, rng: np.random.Generator) -> None:
+    """Drag, hold keys, set numbers, choose methods, edit, undo, and go back and on."""
+    page.frames(40)
+    page.drag(len(page.simulation.positions) - 1, 50.0, -20.0, frames=15)
+    page.frames(15, commands.DragEnd(), commands.SetValue("gravity", 700.0))
+    page.hold(12, "up", "right")
+    page.frames(20, commands.SetChoice("method", str(rng.choice(["adams", "rk4", "auto"]))))
+    page.frames(1, commands.Play(False), commands.SetValue("gravity", 300.0))
+    page.frames(2, commands.DoSteps(7))
+    page.compare(rng, 3)
+    page.frames(1, commands.GoTo(1e9))
+    page.frames(25, commands.Play(True))
+    page.frames(25, commands.Change(longer))
+    page.frames(10, commands.Undo())
+    page.frames(1, commands.GoTo(float(rng.choice(list(page.seen)[60:]))), commands.SetValue("gravity", 900.0))
+    page.frames(60, commands.Play(True))
+
+
+@pytest.mark.parametrize("stretch", [0.0, 0.005, 1e9])
+@pytest.mark.parametrize("preset", ["tutorial-3.3", "girder", "stick-slip"])
+def test_any_frame_of_an_eventful_run_comes_back_to_the_last_bit(
+    preset: str, stretch: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    monkeypatch.setattr(reel, "STRETCH", stretch)
+    monkeypatch.setattr(reel, "_WORTH", 0.0)
+    page, rng = Watched(preset), np.random.default_rng(7)
+    eventful(page, rng)
+    assert len(page.session.history) < 30
+    page.compare(rng, 12)
+    page.frames(20, commands.GoTo(1e9), commands.Play(True))
+    page.compare(rng, 6)
+    assert page.session.history.start == 0.0
+
+
+def test_frames_can_be_stepped_through_anywhere(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    monkeypatch.setattr(reel, "STRETCH", 1e-3)
+    monkeypatch.setattr(reel, "_WORTH", 0.0)
+    monkeypatch.setattr(reel, "BEFORE", 5)
+    monkeypatch.setattr(reel, "AFTER", 3)
+    page = Watched("tutorial-3.3")
+    page.frames(200)
+    times = list(page.seen)
+    SessionPage.frames(page, 1, commands.GoTo(times[120]))
+    for back in range(119, 90, -1):
+        SessionPage.frames(page, 1, commands.GoBack())
+        assert state(page.simulation.capture()) == page.seen[times[back]]
+    for on in range(92, 140):
+        SessionPage.frames(page, 2, commands.GoForward())
+        assert state(page.simulation.capture()) == page.seen[times[on]]
+    SessionPage.frames(page, 1, commands.GoBack(1.0))
+    assert page.simulation.time == pytest.approx(times[139] - 1.0, abs=FRAME)
+    SessionPage.frames(page, 1, commands.GoBack(1e6), commands.GoBack())
+    assert page.simulation.time == 0.0
+
+
+def test_going_on_from_long_ago_makes_another_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    page, rng = Watched("tutorial-3.3"), np.random.default_rng(1)
+    page.frames(200)
+    page.frames(1, commands.GoTo(1.0), commands.SetValue("gravity", 0.0))
+    page.frames(100, commands.Play(True))
+    assert page.session.history.end == pytest.approx(1.0 + 99 * FRAME, abs=0.02)
+    old = page.session.abandoned_future
+    assert old is not None
+    assert old.start == pytest.approx(1.0, abs=FRAME)
+    assert old.end > 2.0
+    page.compare(rng, 8)
+
+
+def test_frames_of_a_machine_that_is_too_slow_come_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    page = Watched(sim.set_value(sim.load_scene("ring"), "tolerance", 1e-6))
+    in_one_piece(page.session.costs, 9)
+    page.frames(120)
+    assert page.session.pacer.behind > 0.1
+    page.compare(np.random.default_rng(2), 8)
+
+
+def test_any_frame_of_a_replay_comes_back_and_the_replay_goes_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    first = Watched("tutorial-3.3")
+    eventful(first, np.random.default_rng(3))
+    recorded = decode_log(log_of(first), "log")
+    monkeypatch.setattr(history, "SPAN", 20)
+    page = Watched("ring")
+    page.frames(1, commands.Replay(recorded))
+    page.seen.clear()
+    page.frames(100)
+    page.compare(np.random.default_rng(4), 8)
+    page.frames(600, commands.Play(True))
+    assert page.session.replay is None
+    assert "agrees" in page.told
+
+
+def test_undo_knows_the_scene_of_a_frame_that_is_computed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    page = SessionPage()
+    page.frames(10)
+    page.frames(30, commands.SetValue("gravity", 400.0))
+    time = page.simulation.time
+    page.frames(60, commands.SetValue("linear_damping", 9.0))
+    page.frames(1, commands.GoTo(time))
+    assert page.session.scene.gravity == (0.0, 400.0)
+    page.frames(1, commands.Undo())
+    assert page.session.scene.gravity == (0.0, 2000.0)
+
+
+# ------------------------------------------------------------------------- in slices
+def test_a_frame_is_computed_in_slices_and_commands_wait_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    page = Watched("tutorial-3.3")
+    page.frames(300)
+    session, time = page.session, list(page.seen)[200]
+    session.post(commands.GoTo(0.1))  # overtaken
+    session.post(commands.GoTo(time))
+    session.post(commands.Play(True))
+    monkeypatch.setattr("app.session.session.MIN_SLICE", 0.0)
+    rounds = 0
+    while session.has_commands:
+        session.drain()
+        assert session.playing == (not session.has_commands and rounds > 0)
+        session.tick(0.0)
+        rounds += 1
+    assert rounds > 50
+    page.frames(2)
+    assert time < session.simulation.time < time + 0.1
+
+
+def test_what_is_seen_before_a_frame_is_there_is_what_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    page = Watched("tutorial-3.3")
+    page.frames(300)
+    before = page.simulation.positions
+    monkeypatch.setattr("app.session.session.MIN_SLICE", 0.0)
+    page.session.post(commands.GoTo(1.0))
+    page.session.drain()
+    page.session.tick(0.0)
+    assert page.session.is_seeking
+    assert not page.session.is_idle
+    assert np.array_equal(page.simulation.positions, before)
+
+
+# ------------------------------------------------------------------------- memory
+def an_hour(past: History, scene: sim.Scene, computing: float, checkpoints: int = 10**9) -> None:
+    """Fill in an hour of frames, of so many seconds of computing each, with a body that hardly moves."""
+    simulation = sim.Simulation(scene)
+    simulation.step(1)
+    point, moment = simulation.checkpoint(), simulation.capture()
+
+    class Still:
+        """A body of which only the time goes on."""
+
+        time, divergence = 0.0, None
+
+        def checkpoint(self) -> Any:
+            words = point.memory.state._replace(words=point.memory.state.words.copy())
+            memory = point.memory._replace(state=words)
+            return sim.motion.checkpoint.Checkpoint(point.scene, point.keys, self.time, memory)
+
+    body: Any = Still()
+    rows = moment.rows
+    past.add(sim.Moment(scene, 1.0, 0.0, rows, 0.0, 0))
+    for i in range(1, 3600 * 60 + 1):
+        past.ready(body, complete=True)
+        past.reel.note(log.Lead(mass=0, to=(i * 0.001, i * 0.002)))
+        past.reel.note(log.Step(n=6 + i % 2, attempts=300 + i % 7))
+        past.reel.spend(computing)
+        body.time = i * FRAME
+        past.add(sim.Moment(scene, 1.0, 0.0, rows, body.time, i))
