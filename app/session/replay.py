@@ -45,6 +45,7 @@ class Player:
         self.difference: str | None = None
         self._index = self._times = self._checks = 0
         self._digest = ""
+        self._agreed = simulation.step_count  # at the last check that agreed
         self._owed = 0.0
 
     @property
@@ -157,11 +158,17 @@ class Player:
 
     def _check(self, check: log.Check) -> None:
         self._checks += 1
+        if self.difference is not None:
+            return
         self._digest = log.digest_of(self.simulation)
-        if (check.digest, check.step) == (self._digest, self.simulation.step_count) or self.difference:
+        moves = (check.digest, check.step) == (self._digest, self.simulation.step_count)
+        if moves and (not check.state or check.state == log.state_of(self.simulation)):
+            self._agreed = check.step
             return
         some = log.noted(self.simulation)
-        if len(check.at) == len(some):
+        if moves:
+            largest = "not in positions and velocities, but in what keys, damage or friction did"
+        elif len(check.at) == len(some):
             apart = float(np.hypot(*(some - check.at).T).max())
             unit = self.simulation.scene.view.unit
             largest = f"largest distance of a mass noted {apart:.3g} {unit}"
@@ -170,7 +177,8 @@ class Player:
         here = log.this_machine()
         elsewhere = f"; it was recorded on {self.record.machine}, this is {here}"
         self.difference = (
-            f"differs first at t = {check.time:.6g} s (check {self._checks} of {self.record.checks}), "
+            f"differs first at step {check.step}, t = {check.time:.6g} s "
+            f"(check {self._checks} of {self.record.checks}; it agrees at step {self._agreed}), "
             + largest
             + (elsewhere if here != self.record.machine else "")
         )

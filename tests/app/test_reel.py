@@ -1,7 +1,10 @@
-"""The whole run: any of its frames is computed again to the last bit, within the memory and the time it may take."""
+"""The whole run: any of its frames is computed again to the last bit, within bounds of memory and time."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -9,18 +12,24 @@ import pytest
 
 import sim
 from app.session import commands, history, log, reel
-from app.session.history import History
-from app.session.reel import Reel
+from app.session.history import History, Wanted
 from sim.edit import build
 from tests.app.pages import FRAME, SessionPage, in_one_piece
 from tests.app.recording import decode_log, log_of
-from tests.sim.changes import by
 
 
 def state(moment: sim.Moment) -> tuple[Any, ...]:
     """All of a moment, to be compared to the last bit."""
     keyed = moment.rest_length_scale, moment.rest_angle_shift
-    return moment.rows.tobytes(), moment.time, moment.step_count, moment.scene, keyed, moment.damage, moment.grips
+    return (
+        moment.rows.tobytes(),
+        moment.time,
+        moment.step_count,
+        moment.scene,
+        keyed,
+        moment.damage,
+        moment.grips,
+    )
 
 
 class Watched(SessionPage):
@@ -71,7 +80,9 @@ def eventful(page: Watched, rng: np.random.Generator) -> None:
     page.frames(25, commands.Play(True))
     page.frames(25, commands.Change(longer))
     page.frames(10, commands.Undo())
-    page.frames(1, commands.GoTo(float(rng.choice(list(page.seen)[60:]))), commands.SetValue("gravity", 900.0))
+    page.frames(
+        1, commands.GoTo(float(rng.choice(list(page.seen)[60:]))), commands.SetValue("gravity", 900.0)
+    )
     page.frames(60, commands.Play(True))
 
 
@@ -201,29 +212,100 @@ def test_what_is_seen_before_a_frame_is_there_is_what_was(monkeypatch: pytest.Mo
 
 
 # ------------------------------------------------------------------------- memory
-def an_hour(past: History, scene: sim.Scene, computing: float, checkpoints: int = 10**9) -> None:
-    """Fill in an hour of frames, of so many seconds of computing each, with a body that hardly moves."""
-    simulation = sim.Simulation(scene)
-    simulation.step(1)
+def an_hour(masses: int, computing: float, method: str = "auto") -> History:
+    """The past of an hour of two frames a second, of a body that is a burden to the machine.
+
+    Args:
+        masses: of the body, whose memory is that of a moving one.
+        computing: seconds for each simulated one.
+        method: which moves it.
+    """
+    simulation = sim.Simulation(sim.set_choice(sim.rope(masses=masses), "method", method))
+    simulation.step(10)
     point, moment = simulation.checkpoint(), simulation.capture()
-
-    class Still:
-        """A body of which only the time goes on."""
-
-        time, divergence = 0.0, None
-
-        def checkpoint(self) -> Any:
-            words = point.memory.state._replace(words=point.memory.state.words.copy())
-            memory = point.memory._replace(state=words)
-            return sim.motion.checkpoint.Checkpoint(point.scene, point.keys, self.time, memory)
-
-    body: Any = Still()
-    rows = moment.rows
-    past.add(sim.Moment(scene, 1.0, 0.0, rows, 0.0, 0))
-    for i in range(1, 3600 * 60 + 1):
+    # Somebody else's would be as large, but here is only one.
+    body: Any = SimpleNamespace(time=0.0, divergence=None, checkpoint=lambda: replace(point, time=body.time))
+    past = History()
+    past.add(replace(moment, time=0.0))
+    for i in range(1, 7201):
         past.ready(body, complete=True)
         past.reel.note(log.Lead(mass=0, to=(i * 0.001, i * 0.002)))
-        past.reel.note(log.Step(n=6 + i % 2, attempts=300 + i % 7))
-        past.reel.spend(computing)
-        body.time = i * FRAME
-        past.add(sim.Moment(scene, 1.0, 0.0, rows, body.time, i))
+        past.reel.note(log.Step(n=6, attempts=300 + i))
+        past.reel.spend(0.5 * computing)
+        body.time = 0.5 * i
+        past.add(replace(moment, time=body.time))
+        assert past.bytes <= history.MAX_BYTES
+        assert past.reel.bytes <= reel.MAX_BYTES + 1_000_000  # of the open stretch
+    return past
+
+
+def counted(past: History) -> int:
+    """Bytes of all numbers and lines in a past, counted one by one."""
+    stretches = past.reel.stretches
+    lines = sum(len(packed) for stretch in stretches for packed in stretch._packed)
+    moments = sum(past[i].rows.nbytes for i in range(len(past)))
+    return lines + moments + sum(stretch.start.nbytes for stretch in stretches)
+
+
+def test_an_hour_is_less_than_100_megabytes() -> None:
+    # An abandoned future can have as many moments as the past.
+    assert reel.MAX_BYTES + 2 * history.MAX_BYTES <= 100_000_000
+
+
+def test_an_hour_of_a_short_body_takes_a_few_megabytes() -> None:
+    past = an_hour(12, 0.002)
+    assert past.start == 0.0
+    assert past.reel.bytes < 4_000_000
+    assert max(stretch.seconds for stretch in past.reel.stretches) < 2 * reel.STRETCH
+
+
+def test_an_hour_of_a_larger_body_has_longer_stretches_the_older_they_are() -> None:
+    past = an_hour(100, 0.05)
+    seconds = np.array([stretch.seconds for stretch in past.reel.stretches])
+    assert past.start == 0.0
+    assert seconds.max() <= reel.LONGEST
+    assert seconds[:100].mean() > 2.0 * seconds[-100:].mean()
+    assert 10_000_000 < counted(past) <= past.bytes + past.reel.bytes
+
+
+def test_the_past_of_a_heavy_body_begins_later() -> None:
+    past = an_hour(1500, 0.9)
+    stretches = past.reel.stretches
+    assert max(stretch.seconds for stretch in stretches) <= reel.LONGEST + 0.45
+    assert 60.0 < 3600.0 - past.start < 3600.0
+    assert past.at(0.0) == Wanted(None, past.start)
+    assert counted(past) <= past.bytes + past.reel.bytes
+    # There is no gap.
+    assert all(one.last == other.first for one, other in pairwise(stretches))
+
+
+def test_a_checkpoint_that_is_dear_is_made_seldom(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = iter(np.arange(10_000) * 0.004)
+    monkeypatch.setattr(reel, "perf_counter", lambda: next(times))  # each takes 4 ms
+    past = an_hour(12, 0.1)
+    assert min(stretch.seconds for stretch in past.reel.stretches[:-1]) >= 50 * 0.004
+
+
+def test_a_hand_at_rest_while_time_stands_takes_no_memory() -> None:
+    page = SessionPage()
+    page.frames(10)
+    page.frames(1, commands.Play(False))
+    x, y = page.simulation.positions[8]
+    page.frames(1, commands.DragStart(8, x, y))
+    before = page.session.history.reel.bytes
+    page.frames(1000, commands.Point(x + 5.0, y))
+    assert page.session.history.reel.bytes - before < 1000
+
+
+def test_what_moves_by_numpy_is_stored(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(history, "SPAN", 20)
+    page = Watched("tutorial-3.3")
+    recorder = page.session.recorder
+    recorder._complete = False  # as if its kernels were still being compiled
+    monkeypatch.setattr(type(page.simulation), "complete", property(lambda _: False))
+    page.frames(50)
+    monkeypatch.undo()
+    monkeypatch.setattr(history, "SPAN", 20)
+    page.frames(60)
+    assert 70 <= len(page.session.history) <= 75
+    page.compare(np.random.default_rng(6), 12)
