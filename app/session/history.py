@@ -18,8 +18,9 @@ from .reel import Development, Reel
 SPAN = 3600
 """Frames that are stored: a minute at 60 Hz."""
 
-MAX_BYTES = 24_000_000
-"""Bytes of all moments of a page, at most; those of an abandoned future may be as many."""
+MAX_BYTES = 20_000_000
+"""Bytes of all moments of a page, at most, besides those that are computed again. An abandoned future may have as
+many."""
 
 _OVERHEAD = 400
 """Estimated bytes of a moment besides its numbers."""
@@ -69,7 +70,7 @@ class Wanted(NamedTuple):
 class History:
     """Moments, one for each frame in which time passed, and which of them is shown; a reel of all others.
 
-    It stores a minute of a body of up to some 190 masses. For larger ones, every second moment of the older
+    It stores a minute of a body of up to some 160 masses. For larger ones, every second moment of the older
     half is dropped whenever the memory is full: the last frames, which users step through one by one, stay
     complete, and the minute stays within reach. What is not stored is computed again from the reel, if it has
     it; what it lacks is stored for longer than a minute.
@@ -256,8 +257,10 @@ class History:
         self._count()
         self.shown = next(i for i, frame in enumerate(self._frames) if frame.number == shown.number)
 
-    def index_of(self, number: int) -> int:
-        """Index of the stored frame with a number, or the nearest."""
+    def index_of(self, number: int | None, time: float) -> int:
+        """Index of the stored frame nearest to a number, or else (None) to a time, s."""
+        if number is None:
+            return self.nearest(time)
         at = bisect_left(self._frames, number, key=lambda frame: frame.number)
         return min(at, self.last)
 

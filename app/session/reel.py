@@ -30,7 +30,7 @@ LONGEST = 0.8
 """Seconds of computing of a stretch, at most, also where memory is scarce. Frames that would need more are
 forgotten."""
 
-_WORTH = 50.0
+WORTH = 50.0
 """Seconds of computing for each second that goes into checkpoints, at least."""
 
 _PACKED = 1000
@@ -42,8 +42,14 @@ _OVERHEAD = 3000
 _PER_PART = 250
 """Estimated bytes of a mass or spring of a scene, which stretches share until it changes."""
 
+_PER_MOMENT = 400
+"""Estimated bytes of a moment besides its numbers."""
+
 BEFORE, AFTER = 150, 600
-"""Frames before and after a wanted one that are computed with it: to step through them, and to compare."""
+"""Frames before and after a wanted one that are stored with it, at most: to step on, and to compare."""
+
+AGAIN_BYTES = 4_000_000
+"""Bytes of these frames, at most."""
 
 _PER_LINE = 41
 """Bytes of a line besides its text, until it is compressed."""
@@ -81,7 +87,12 @@ class Stretch:
     @property
     def bytes(self) -> int:
         """Estimated memory."""
-        return self._own + self._open + sum(map(len, self._packed))
+        return self._own + self._open + self.packed_bytes
+
+    @property
+    def packed_bytes(self) -> int:
+        """Bytes of its compressed lines."""
+        return sum(map(len, self._packed))
 
     @property
     def has_frames(self) -> bool:
@@ -194,7 +205,7 @@ class Reel:
             return
         there = self._open
         if there is not None:
-            enough = min(max(STRETCH, _WORTH * self._cost), 0.5 * LONGEST)
+            enough = min(max(STRETCH, WORTH * self._cost), 0.5 * LONGEST)
             if there.seconds < enough or not (self._at_mark and there.has_frames):
                 return
         if simulation.time != time:
@@ -298,11 +309,21 @@ class Development:
         self.frames: list[tuple[int, Moment]] = []
         self.is_found = self.has_ended = False
         self._after = 0
+        self._spent = 0.0  # seconds of computing since it was found
+        share = AGAIN_BYTES / (BEFORE + AFTER) / (32 * len(stretch.start.scene.masses) + _PER_MOMENT)
+        self._most_before, self._most_after = (
+            max(1, int(most * min(share, 1.0))) for most in (BEFORE, AFTER)
+        )
         self._work = self._do(stretch)
 
     def advance(self, budget: float) -> None:
         """Go on for some seconds of computing."""
         end = perf_counter() + budget
+        if self.is_found:
+            self._spent += budget
+            if self._spent > LONGEST:
+                self.has_ended = True
+                return
         for _ in self._work:
             if perf_counter() >= end:
                 return
@@ -327,11 +348,11 @@ class Development:
                     if simulation.time > time:
                         number, time = number + 1, simulation.time
                     self._take(number)
-                    if number >= there.last or self._after > AFTER:
+                    if number >= there.last or self._after > self._most_after:
                         break
                 yield
             next_ = self._reel.of(number)
-            if self._after > AFTER or next_ is None or next_ is there or next_.first != number:
+            if self._after > self._most_after or next_ is None or next_ is there or next_.first != number:
                 return
             there = next_
 
@@ -345,5 +366,5 @@ class Development:
         if passed:
             self.is_found = True
             self._after += 1
-        elif len(frames) > 2 * BEFORE:
-            del frames[:-BEFORE]
+        elif len(frames) > self._most_before:
+            del frames[0]

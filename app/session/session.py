@@ -630,15 +630,18 @@ class Session:
         self.development = self.history.development(
             frame, lambda scene: sim.Simulation(scene, wait=self.can_wait)
         )
+        if self.development is None:
+            self.show(self.history.index_of(*frame))
 
     def _develop(self, development: Development, budget: float) -> None:
         """Go on with computing past frames again; show the wanted one once it is there."""
         sought = not development.is_found
         try:
             development.advance(max(budget, MIN_SLICE))
-        except InputError:  # kernels that it needs have gone
+        except (InputError, SettingError, SceneError):  # as where kernels that it needs have gone
             self.development = None
-            self.show(self.history.nearest(development.time))
+            if sought:
+                self.show(self.history.index_of(development.number, development.time))
             return
         if not development.is_found:
             return
@@ -648,9 +651,7 @@ class Session:
         moments = [(number, replace(moment, scene=known[id(moment.scene)])) for number, moment in frames]
         self.history.take(moments, first=sought)
         if sought:
-            number = development.number
-            near = self.history.nearest(development.time) if number is None else self.history.index_of(number)
-            self.show(near)
+            self.show(self.history.index_of(development.number, development.time))
         if development.has_ended:
             self.development = None
 

@@ -21,12 +21,12 @@ class Words(NamedTuple):
     """The contents of some arrays, without most zeros.
 
     Attributes:
-        count: number of words of all arrays together.
+        size: number of words of all arrays together.
         pieces: indices of the pieces that are not zero.
         words: (pieces, `_PIECE`) these.
     """
 
-    count: int
+    size: int
     pieces: NDArray[np.int32]
     words: NDArray[np.int64]
 
@@ -39,20 +39,20 @@ class Words(NamedTuple):
     def of(arrays: Iterable[Floats | Indices]) -> Words:
         """The present contents of arrays of eight bytes an item."""
         words = [array.reshape(-1).view(np.int64) for array in arrays]
-        count = sum(each.size for each in words)
-        whole = np.concatenate([*words, np.zeros(-count % _PIECE, np.int64)]).reshape(-1, _PIECE)
+        size = sum(each.size for each in words)
+        whole = np.concatenate([*words, np.zeros(-size % _PIECE, np.int64)]).reshape(-1, _PIECE)
         pieces = np.flatnonzero(whole.any(1)).astype(np.int32)
-        return Words(count, pieces, whole[pieces])
+        return Words(size, pieces, whole[pieces])
 
     def put_into(self, arrays: Iterable[Floats | Indices]) -> None:
         """Set the contents of arrays that have the same sizes."""
-        whole = np.zeros((-(-self.count // _PIECE), _PIECE), np.int64)
+        whole = np.zeros((-(-self.size // _PIECE), _PIECE), np.int64)
         whole[self.pieces] = self.words
         flat, begin = whole.reshape(-1), 0
         for array in arrays:
             array.reshape(-1).view(np.int64)[:] = flat[begin : begin + array.size]
             begin += array.size
-        assert begin == self.count, "the arrays are those of another body"
+        assert begin == self.size, "the arrays are those of another body"
 
 
 class SolverMemory(NamedTuple):
