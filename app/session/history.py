@@ -19,8 +19,8 @@ SPAN = 3600
 """Frames that are stored: a minute at 60 Hz."""
 
 MAX_BYTES = 20_000_000
-"""Bytes of all moments of a page, at most, besides those that are computed again; an abandoned future may have
-as many."""
+"""Bytes of a page's moments, at most, besides those that are computed again; an abandoned future may have as
+many."""
 
 _OVERHEAD = 400
 """Estimated bytes of a moment besides its numbers."""
