@@ -141,8 +141,6 @@ function timeSlider() {
     shown = now;
     slider.min = String(bar.low);
     slider.max = String(last);
-    slider.toggleAttribute("data-long", bar.turn > start);
-    slider.style.setProperty("--softrod-turn", String((bar.turn - bar.low) / (last - bar.low)));
     const comes = now === put.at && performance.now() < put.until && !pageState().playing;
     if (!held && !comes) slider.value = String(bar.position(now));
     slider.ariaValueText = `${now.toFixed(2)} seconds`;
