@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..engine.tables import Body, Floats, Indices, Matrix
+from ..engine.tables import Body, Indices, Matrix
 from ..forces.fillings import SMALL
 from .system import slots_of
 
@@ -105,13 +105,9 @@ def pattern_of(n: int, room: int, *tables: bytes) -> Pattern:
 
 def clear_factors(matrix: Matrix) -> None:
     """Discard the computed contents of a matrix; its pattern stays."""
-    for array in factors_of(matrix):
-        array[:] = 0.0
-
-
-def factors_of(matrix: Matrix) -> list[Floats]:
-    """The arrays of the computed contents of a matrix."""
-    return [array for _, array in matrix.arrays() if array.dtype == np.float64]
+    for _, array in matrix.arrays():
+        if array.dtype == np.float64:
+            array[:] = 0.0
 
 
 def fill(body: Body, matrix: Matrix) -> tuple[int, int]:

@@ -56,18 +56,16 @@ class Words(NamedTuple):
 
 
 class SolverMemory(NamedTuple):
-    """What a method remembers of its last steps.
+    """What a method remembers of its last steps; not its matrix, which no step takes from another.
 
     Attributes:
         arrays: contents of its arrays, and of its scratch; None if it is to begin anew.
         numbers: of its records.
-        factors: contents of its matrix; None if it has made none.
         costs: of the steps of `auto`'s methods; None if unknown.
     """
 
     arrays: Words | None
     numbers: tuple[tuple[int, ...], ...]
-    factors: Words | None
     costs: Floats | None
 
 
@@ -120,9 +118,8 @@ class Checkpoint:
     @property
     def nbytes(self) -> int:
         """Bytes of its numbers."""
-        solver = self.memory.solver
-        parts = self.memory.state, solver.arrays, solver.factors
-        return sum(part.nbytes for part in parts if part is not None)
+        arrays = self.memory.solver.arrays
+        return self.memory.state.nbytes + (arrays.nbytes if arrays is not None else 0)
 
 
 def writable(arrays: Iterable[tuple[str, Floats | Indices]]) -> list[Floats | Indices]:

@@ -51,7 +51,7 @@ from ..engine.tables import (
 from ..forces.all import path_of
 from ..forces.fillings import FillingsReference
 from ..forces.plasticity import restore_committed, without_broken
-from ..model.sparsity import NO_MATRIX, clear_factors, factors_of, new_matrix
+from ..model.sparsity import NO_MATRIX, clear_factors, new_matrix
 from ..model.state import update_rest_state
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
@@ -261,10 +261,9 @@ class Solver:
         """
         costs = None if self._costs is None else self._costs.copy()
         if begins:
-            return SolverMemory(None, (), None, costs)
-        factors = None if self._matrix is None else Words.of(factors_of(self._matrix))
+            return SolverMemory(None, (), costs)
         numbers = tuple(record.contents() for record in self._records)
-        return SolverMemory(Words.of(self._arrays), numbers, factors, costs)
+        return SolverMemory(Words.of(self._arrays), numbers, costs)
 
     def remember(self, memory: SolverMemory) -> None:
         """Go on as a solver of the same tables did that had remembered this; not the state."""
@@ -275,10 +274,8 @@ class Solver:
         self._words[:] = self._first_words
         for record, numbers in zip(self._records, memory.numbers, strict=True):
             record.put(numbers)
-        if memory.factors is None:
-            self._matrix = None
-        else:
-            memory.factors.put_into(factors_of(self.matrix))
+        if self._matrix is not None:
+            clear_factors(self._matrix)  # each step makes its own
 
     @property
     def _arrays(self) -> list[Floats | Indices]:
