@@ -241,7 +241,9 @@ def test_by_touch(open_page: OpenPage) -> None:
     # A finger that rests selects what is under it.
     send("touchStart", desk.place(13))
     desk.until(lambda: desk.session.selection == Selection(masses=frozenset({13})), "it is selected")
-    desk.until(lambda: desk.page.locator(".softrod-edit-count").first.inner_text() == "1 mass", "the bar says so")
+    desk.until(
+        lambda: desk.page.locator(".softrod-edit-count").first.inner_text() == "1 mass", "the bar says so"
+    )
     desk.pause(0.7)
     send("touchEnd")
     assert counts(desk) == (14, 13, 10)

@@ -22,7 +22,8 @@ def pick(desk: Desk, **parts: set[int]) -> None:
     desk.tell(commands.Select(lambda *_: chosen))
     shown = sum(len(some) for some in parts.values())
     desk.until(
-        lambda: desk.page.locator(".softrod-edit-count").first.inner_text().startswith(str(shown)), "it is selected"
+        lambda: desk.page.locator(".softrod-edit-count").first.inner_text().startswith(str(shown)),
+        "it is selected",
     )
 
 

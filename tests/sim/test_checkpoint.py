@@ -55,7 +55,7 @@ def play(simulation: Simulation, frames: int, attempts: int = 300) -> None:
 
 @pytest.mark.parametrize(
     ("preset", "method"),
-    part_of([(preset, method) for preset in SCENES for method in METHODS], 6),
+    part_of([(preset, method) for preset in SCENES for method in METHODS], 20),
 )
 def test_it_goes_on_to_the_same_bits(preset: str, method: Method) -> None:
     scene = sim.set_choice(sim.load_scene(preset), "method", method)
