@@ -413,7 +413,10 @@ class GoTo(Command):
     def apply(self, session: Session, at: float) -> None:
         if not math.isfinite(self.time):
             raise InputError(f"t = {self.time} s: that is no time to go to")
-        session.show(session.history.nearest(self.time))
+        session.go_to(session.history.at(self.time))
+
+    def is_overtaken_by(self, other: Command) -> bool:
+        return isinstance(other, GoTo)
 
 
 class GoBack(Command):
@@ -424,14 +427,14 @@ class GoBack(Command):
     def apply(self, session: Session, at: float) -> None:
         if not math.isfinite(self.seconds):
             raise InputError(f"{self.seconds} s: that is no time to go back by")
-        session.show(session.history.back(self.seconds))
+        session.go_to(session.history.back(self.seconds))
 
 
 class GoForward(Command):
     """Pause, and show the moment one frame after the one shown."""
 
     def apply(self, session: Session, at: float) -> None:
-        session.show(min(session.history.shown + 1, session.history.last))
+        session.go_to(session.history.beside(1))
 
 
 class ForgetFuture(Command):

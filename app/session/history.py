@@ -1,23 +1,26 @@
-"""A session's past moments, to go back to, and the future that was abandoned by doing so."""
+"""A session's past: its last moments, what leads to all others, and the future that was abandoned."""
 
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import takewhile
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from sim import Moment
+from sim import Moment, Scene, Simulation
 from sim.scene.types import Damage
+
+from .reel import Development, Reel
 
 SPAN = 3600
 """Frames that are stored: a minute at 60 Hz."""
 
-MAX_BYTES = 64_000_000
-"""Bytes of all moments of a page, at most."""
+MAX_BYTES = 20_000_000
+"""Bytes of a page's moments, at most, besides those that are computed again; an abandoned future may have as
+many."""
 
 _OVERHEAD = 400
 """Estimated bytes of a moment besides its numbers."""
@@ -45,37 +48,51 @@ class _Frame(NamedTuple):
     """One stored frame.
 
     Attributes:
-        number: of the frame, counted from the start of the history.
+        number: of the frame, counted from the start of the run.
         moment: of the body.
         companions: states of its companions, by name.
+        again: whether it was computed again, since somebody wanted to see it.
     """
 
     number: int
     moment: Moment
     companions: Mapping[str, Any]
+    again: bool = False
+
+
+class Wanted(NamedTuple):
+    """A frame that is not stored, but can be computed again: that of a number, or the one at a time, s."""
+
+    number: int | None
+    time: float
 
 
 class History:
-    """A ring of moments, one for each frame in which time passed, and which of them is shown.
+    """Moments, one for each frame in which time passed, and which of them is shown; a reel of all others.
 
-    It holds a minute of a body of up to some 500 masses. For larger ones, every second moment of the older
+    It stores a minute of a body of up to some 160 masses. For larger ones, every second moment of the older
     half is dropped whenever the memory is full: the last frames, which users step through one by one, stay
-    complete, and the minute stays within reach.
+    complete, and the minute stays within reach. What is not stored is computed again from the reel, if it has
+    it; what it lacks is stored for longer than a minute.
 
     Attributes:
+        reel: what was done in the whole run.
         shown: index of the moment that the page shows.
         runs: counts how often it was cleared.
     """
 
     def __init__(self) -> None:
         self.runs = 0
+        self.reel = Reel()
         self.clear()
 
     def clear(self) -> None:
         """Forget everything."""
         self.runs += 1
+        self.reel.clear()
         self._frames: list[_Frame] = []
-        self._number = 0
+        self._kept = 0  # number of the first frames that are stored since the reel lacks them
+        self._again = False  # whether frames were computed again
         self._bytes = 0
         self.shown = -1
 
@@ -120,8 +137,8 @@ class History:
 
     @property
     def start(self) -> float:
-        """Time of the oldest moment, s; 0 if there is none."""
-        return self._frames[0].moment.time if self._frames else 0.0
+        """Time of the oldest moment that can be shown, s; 0 if there is none."""
+        return min(self._frames[0].moment.time, self.reel.start) if self._frames else 0.0
 
     @property
     def end(self) -> float:
@@ -135,25 +152,124 @@ class History:
 
     def add(self, moment: Moment, companions: Mapping[str, Any] | None = None) -> None:
         """Store and show the moment of the next frame; moments that are not before it are dropped."""
-        frames = self._frames
-        while frames and frames[-1].moment.time >= moment.time:
-            self._drop_last()
-        before = frames[-1] if frames else None
-        self._number += 1
-        frame = _Frame(self._number, moment, companions or {})
-        self._bytes += _size(frame, before)
-        frames.append(frame)
-        if len(frames) > SPAN or frames[0].number <= self._number - SPAN:
-            self._drop_first()
+        self._put(moment, companions)
+        frames, number = self._frames, self._frames[-1].number
+        kept = min(self._kept, self.last)
+        while frames[kept].number <= number - SPAN:
+            if self.reel.has(frames[kept].number) and not frames[kept].again:
+                self._drop(kept)
+            else:
+                kept += 1
+        self._kept = kept
         if self._bytes > MAX_BYTES:
             self._thin()
         self.shown = self.last
 
     def amend(self, moment: Moment, companions: Mapping[str, Any] | None = None) -> None:
-        """Replace the newest moment."""
+        """Replace the newest moment; all others keep their indices."""
         if self._frames:
             self._drop_last()
-        self.add(moment, companions)
+        self._put(moment, companions)
+
+    def _put(self, moment: Moment, companions: Mapping[str, Any] | None) -> None:
+        """Store and show a moment; those that are not before it are dropped."""
+        frames = self._frames
+        number = frames[-1].number + 1 if frames else 0
+        if frames and frames[-1].moment.time >= moment.time:  # it is another body's
+            while frames and frames[-1].moment.time >= moment.time:
+                number = frames[-1].number
+                self._drop_last()
+            self.reel.cut(number)
+        before = frames[-1] if frames else None
+        frame = _Frame(number, moment, companions or {})
+        self._bytes += _size(frame, before)
+        frames.append(frame)
+        self.reel.mark(number)
+        self.shown = self.last
+
+    def ready(self, simulation: Simulation, complete: bool) -> None:
+        """See `Reel.ready`."""
+        if self._frames:
+            frame = self._frames[self.shown]
+            self.reel.ready(simulation, complete, frame.number, frame.moment.time)
+
+    # --------------------------------------------------------------------- frames that are not stored
+    def at(self, time: float) -> int | Wanted:
+        """The frame nearest to a time, s: its index, or what has to be computed first."""
+        index = self.nearest(time)
+        frames, there = self._frames, self._frames[index].moment.time
+        one, other = (index - 1, index) if time < there else (index, index + 1)
+        if time == there or other > self.last:
+            return index
+        if one < 0:
+            return Wanted(None, max(time, self.reel.start)) if self.reel.start < there else index
+        stretch = self.reel.at(time)
+        lacks = stretch is not None and stretch.last > frames[one].number
+        return Wanted(None, time) if lacks and frames[other].number > frames[one].number + 1 else index
+
+    def beside(self, step: int) -> int | Wanted:
+        """The frame before the one that is shown (-1), or after it (1), as `at`."""
+        number, index = self._frames[self.shown].number + step, self.shown + step
+        if not 0 <= index <= self.last:
+            return Wanted(number, 0.0) if step < 0 and self.reel.of(number) is not None else self.shown
+        if self._frames[index].number != number and self.reel.of(number) is not None:
+            return Wanted(number, 0.0)
+        return index
+
+    def back(self, seconds: float) -> int | Wanted:
+        """The frame some seconds before the one that is shown, by at least one, as `at`."""
+        before = self.beside(-1)
+        if not seconds > 0.0:
+            return before
+        found = self.at(self[self.shown].time - seconds)
+        if isinstance(found, int) and found >= self.shown:
+            return before
+        return found
+
+    def development(self, wanted: Wanted, body: Callable[[Scene], Simulation]) -> Development | None:
+        """What computes a frame again; None if that cannot be.
+
+        Args:
+            wanted: the frame.
+            body: makes a body of a scene.
+        """
+        number, time = wanted
+        stretch = self.reel.at(time) if number is None else self.reel.of(number)
+        if stretch is None:
+            return None
+        return Development(self.reel, stretch, body(stretch.start.scene), number, time)
+
+    def take(self, frames: Sequence[tuple[int, Moment]], first: bool) -> None:
+        """Store frames that were computed again, with their numbers.
+
+        Args:
+            frames: in order of time.
+            first: whether those that were taken earlier are to be forgotten, except for the one shown.
+        """
+        shown = self._frames[self.shown]
+        there = {
+            frame.number: frame for frame in self._frames if not (first and frame.again) or frame is shown
+        }
+        for number, moment in frames:
+            there.setdefault(number, _Frame(number, moment, {}, True))
+        self._again = True
+        self._frames = [there[number] for number in sorted(there)]
+        self._count()
+        self.shown = next(i for i, frame in enumerate(self._frames) if frame.number == shown.number)
+
+    def index_of(self, number: int | None, time: float) -> int:
+        """Index of the stored frame nearest to a number, or else (None) to a time, s."""
+        if number is None:
+            return self.nearest(time)
+        at = bisect_left(self._frames, number, key=lambda frame: frame.number)
+        return min(at, self.last)
+
+    def forget_again(self) -> None:
+        """Forget the frames that were computed again; called while the newest is shown."""
+        if self._again:
+            self._frames = [frame for frame in self._frames if not frame.again]
+            self._again, self.shown = False, self.last
+            self._count()
 
     def nearest(self, time: float) -> int:
         """Index of the moment nearest to a time, s; there must be one."""
@@ -162,27 +278,33 @@ class History:
             return at
         return at - 1
 
-    def back(self, seconds: float) -> int:
-        """Index of the moment some seconds before the one that is shown, by at least one frame."""
-        before = max(self.shown - 1, 0)
-        return min(before, self.nearest(self[self.shown].time - seconds)) if seconds > 0.0 else before
-
     def recent(self, seconds: float) -> list[tuple[Moment, Mapping[str, Any]]]:
         """The moments of the last seconds up to the one that is shown, with the companions' states."""
         if self.shown < 0:
             return []
         # One more, so that all of these seconds are covered.
         first = max(self.nearest(self[self.shown].time - seconds) - 1, 0)
+        gaps = (i for i in range(self.shown, first, -1) if self._is_gap(i))
+        first = next(gaps, first)
         return [(frame.moment, frame.companions) for frame in self._frames[first : self.shown + 1]]
 
     def cut(self) -> list[Moment]:
         """Drop the moments after the one shown; returns that one and these, or nothing if there are none."""
         if not self.scrubbed:
+            self.forget_again()
             return []
-        newer = [frame.moment for frame in self._frames[self.shown :]]
+        end = next((i for i in range(self.shown + 1, len(self)) if self._is_gap(i)), len(self))
+        newer = [frame.moment for frame in self._frames[self.shown : end]]
         while self.scrubbed:
             self._drop_last()
+        self._frames = [frame._replace(again=False) for frame in self._frames]
+        self._again = False
+        self.reel.cut(self._frames[self.shown].number)
         return newer
+
+    def _is_gap(self, index: int) -> bool:
+        """Whether more than thinning leaves out was left out before a moment."""
+        return self._frames[index].number - self._frames[index - 1].number > _WIDEST + 1
 
     def before_runaway(self) -> int:
         """Index of the last moment at which a body that ran away was still sound; there must be one.
@@ -210,17 +332,19 @@ class History:
         frame = self._frames.pop()
         self._bytes -= _size(frame, self._frames[-1] if self._frames else None)
 
-    def _drop_first(self) -> None:
-        frame = self._frames.pop(0)
-        after = self._frames[0]
+    def _drop(self, index: int) -> None:
+        """Drop a moment that is not the newest."""
+        before = self._frames[index - 1] if index else None
+        frame = self._frames.pop(index)
+        after = self._frames[index]
         # The next frame now counts the scene that they share.
-        self._bytes -= _size(frame, None) - (_size(after, None) - _size(after, frame))
+        self._bytes -= _size(frame, before) - (_size(after, before) - _size(after, frame))
 
     def _thin(self) -> None:
         half, frames = len(self._frames) // 2, self._frames
         if half < 2:  # hardly one moment of so large a body fits
             if len(frames) > 1:
-                self._drop_first()
+                self._drop(0)
             return
         keep: list[int] = [0]
         for i in range(1, half):
@@ -232,6 +356,8 @@ class History:
         self._count()
 
     def _count(self) -> None:
+        """Count the memory anew, after frames were taken out or put in."""
+        self._kept = 0
         self._bytes = sum(map(_size, self._frames, [None, *self._frames[:-1]]))
 
 

@@ -11,6 +11,7 @@ import hashlib
 import os
 import platform
 from dataclasses import dataclass, field
+from functools import lru_cache
 from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any, Literal, get_args
@@ -190,16 +191,28 @@ class Check(Entry, frozen=True, tag_field="do", tag="check"):
     Attributes:
         time, step: simulated time, s, and time steps since the start.
         digest: of all positions and velocities; see `digest_of`.
+        state: of these and of all else that changes; see `state_of`. Empty in older logs.
         at: positions of some masses, evenly chosen, px.
     """
 
     time: _Seconds
     step: _Count
     digest: Annotated[str, Meta(max_length=64)]
+    state: Annotated[str, Meta(max_length=64)] = ""
     at: tuple[Vector, ...] = ()
 
 
 _Kinds = Step | Move | Lead | Follow | Grab | Release | Keys | Set | Choose | FollowEnergy | Restore | Check
+
+
+_decoder: Any = msgspec.json.Decoder(_Kinds)
+
+
+@lru_cache(maxsize=256)
+def decode_entry(line: bytes) -> Entry:
+    """The entry of a line that this program has written."""
+    entry: Entry = _decoder.decode(line)
+    return entry
 
 
 class Machine(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -276,11 +289,30 @@ def digest_of(simulation: sim.Simulation) -> str:
     return hashlib.blake2b(data, digest_size=16).hexdigest()
 
 
+def state_of(simulation: sim.Simulation) -> str:
+    """A short digest of the exact state: equal only if every bit of all that changes is.
+
+    That is positions, velocities and time, what keys did to rest lengths and angles, the keys and masses
+    held, what has yielded and broken, and by what friction holds.
+    """
+    moment = simulation.capture()
+    numbers = np.array([moment.time, moment.step_count, moment.rest_length_scale, moment.rest_angle_shift])
+    parts = sorted(simulation.keys), simulation.grabbed, moment.damage, moment.grips
+    data = moment.rows.tobytes() + numbers.tobytes() + encode_fields(parts)
+    return hashlib.blake2b(data, digest_size=8).hexdigest()
+
+
 def check_of(simulation: sim.Simulation) -> Check:
     """A check of a body as it is now."""
     some = noted(simulation)
     at = tuple((x, y) for x, y in some.tolist())
-    return Check(time=simulation.time, step=simulation.step_count, digest=digest_of(simulation), at=at)
+    return Check(
+        time=simulation.time,
+        step=simulation.step_count,
+        digest=digest_of(simulation),
+        state=state_of(simulation),
+        at=at,
+    )
 
 
 def noted(simulation: sim.Simulation) -> np.ndarray:
@@ -397,9 +429,8 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
         else:
             log = Log(source, scene)
         present = scene
-        decoder: Any = msgspec.json.Decoder(_Kinds)
         for number, line in lines:
-            entry = decoder.decode(line)
+            entry = _decoder.decode(line)
             if again := repeated_key(line):
                 raise InputError(f"the key {again[0][:60]!r} stands twice in one object")
             if isinstance(entry, Restore):

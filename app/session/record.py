@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from time import perf_counter
 
 import sim
 from sim.model.system import same_topology
@@ -10,6 +11,7 @@ from sim.solve.registry import METHODS
 from sim.store.files import encode_fields
 
 from . import log
+from .history import History
 from .log import Entry
 
 CHECK_EVERY = 1.0
@@ -28,6 +30,7 @@ class Recorder:
     Args:
         simulation: the body, at its scene's start.
         note: why it is not at its scene's start, if it is not.
+        history: whose reel notes everything, too; None for a body that nobody takes back in time.
 
     Attributes:
         simulation: the body.
@@ -35,8 +38,8 @@ class Recorder:
         visited: digests of the moments that the log restores; see `log.digest_of`.
     """
 
-    def __init__(self, simulation: sim.Simulation, note: str = "") -> None:
-        self.simulation = simulation
+    def __init__(self, simulation: sim.Simulation, note: str = "", history: History | None = None) -> None:
+        self.simulation, self._history = simulation, history
         self.acts = 0
         self._follows_energy = False
         self._begin(note)
@@ -72,12 +75,15 @@ class Recorder:
             self._make_room()
         if isinstance(act, log.FollowEnergy):
             self._follows_energy = act.on
+        self._prepare()
         if not isinstance(act, log.Set | log.Choose):  # the rest, which hands do in every frame, is simple
             act.do(self.simulation)
             self._note(act)
             return
-        masses = len(self.simulation.scene.masses)
+        masses, began = len(self.simulation.scene.masses), perf_counter()
         act.do(self.simulation)
+        if self._history is not None:
+            self._history.reel.spend(perf_counter() - began)
         if len(self.simulation.scene.masses) != masses:
             self._restart()
         else:
@@ -94,6 +100,7 @@ class Recorder:
         """
         moment = self.simulation.capture()
         if not same_topology(moment.scene, scene):
+            self._leave()
             self.simulation.replace(scene)
             self._restart()
             return
@@ -104,17 +111,20 @@ class Recorder:
     def restore(self, moment: sim.Moment) -> None:
         """See `Simulation.restore`. Of many in a row, the last one is recorded."""
         present = self.simulation.capture().scene
+        self._leave()
         self.simulation.restore(moment)
         self._complete = self._complete and self.simulation.complete
         self._defer(moment, moment.scene is not present)
 
     def reset(self) -> None:
         """See `Simulation.reset`; restarts the log."""
+        self._leave()
         self.simulation.reset()
         self._restart()
 
     def step(self, n: int, attempts: int | None = None) -> int:
         """See `Simulation.step`."""
+        self._prepare()
         done = self.simulation.step(n, attempts)
         if not self._complete:
             if self.simulation.complete:
@@ -128,6 +138,16 @@ class Recorder:
                 self._check()
             self._make_room()
         return done
+
+    def _prepare(self) -> None:
+        """Let the history make a checkpoint before something is done."""
+        if self._history is not None:
+            self._history.ready(self.simulation, self._complete)
+
+    def _leave(self) -> None:
+        """Let the history know that the body goes on from another state."""
+        if self._history is not None:
+            self._history.reel.close()
 
     # --------------------------------------------------------------------- the log
     def file(self) -> bytes:
@@ -145,6 +165,8 @@ class Recorder:
     def _note(self, entry: Entry) -> None:
         if not self._complete:
             return
+        if self._history is not None:
+            self._history.reel.note(entry)
         if self._moment is not None:
             self._flush()
         if entry == self._last:
@@ -197,6 +219,7 @@ class Recorder:
         """Continue the log at this moment, and put the body into the state in which a replay will start."""
         moment, grabbed = self.simulation.capture(), self.simulation.grabbed
         self._complete = True
+        self._leave()
         self.simulation.restore(moment)
         self._defer(moment, with_scene=True)
         for mass in grabbed:

@@ -11,6 +11,7 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.motion.solver import UNLIMITED
 
 from . import log
+from .history import History
 from .log import Entry, Log
 
 _MAX_OWED = 0.5
@@ -26,6 +27,7 @@ class Player:
         record: the log.
         simulation: the body of `record.scene`, at its start.
         energy: whether to follow the energy throughout, regardless of the log.
+        history: whose reel notes what is done; None for a body that nobody takes back in time.
 
     Attributes:
         record, simulation: as above.
@@ -33,14 +35,17 @@ class Player:
         difference: a sentence on the first difference from the record, or None.
     """
 
-    def __init__(self, record: Log, simulation: sim.Simulation, energy: bool = False) -> None:
-        self.record, self.simulation, self._energy = record, simulation, energy
+    def __init__(
+        self, record: Log, simulation: sim.Simulation, energy: bool = False, history: History | None = None
+    ) -> None:
+        self.record, self.simulation, self._energy, self._history = record, simulation, energy, history
         if energy:
             simulation.track_energy(True)
         self.steps = 0
         self.difference: str | None = None
         self._index = self._times = self._checks = 0
         self._digest = ""
+        self._agreed = simulation.step_count  # at the last check that agreed
         self._owed = 0.0
 
     @property
@@ -67,7 +72,9 @@ class Player:
         Raises:
             InputError: it cannot be done; names the line.
         """
-        entry = self.upcoming
+        entry, history = self.upcoming, self._history
+        if history is not None:
+            history.ready(self.simulation, self.simulation.complete)
         try:
             done = self._do(entry, attempts)
         except (InputError, SceneError, SettingError) as error:
@@ -127,6 +134,7 @@ class Player:
             case log.Step(n=n, attempts=attempts):
                 allowed = UNLIMITED if attempts is None else attempts
                 done = simulation.step(n, min(allowed, most))
+                self._note(log.Step(n=n, attempts=min(allowed, most)))
                 if done < n and most < allowed and simulation.divergence is None:
                     raise InputError(_TOO_HEAVY)
                 return done
@@ -134,20 +142,33 @@ class Player:
                 pass
             case log.Act():
                 entry.do(simulation)
+                self._note(entry)
             case log.Restore():
+                if self._history is not None:
+                    self._history.reel.close()
                 moment = self.record.moments.get(self._index)
                 simulation.restore(moment or log.moment_of(entry, simulation.capture().scene))
             case log.Check():
                 self._check(entry)
         return 0
 
+    def _note(self, entry: Entry) -> None:
+        if self._history is not None:
+            self._history.reel.note(entry)
+
     def _check(self, check: log.Check) -> None:
         self._checks += 1
+        if self.difference is not None:
+            return
         self._digest = log.digest_of(self.simulation)
-        if (check.digest, check.step) == (self._digest, self.simulation.step_count) or self.difference:
+        moves = (check.digest, check.step) == (self._digest, self.simulation.step_count)
+        if moves and (not check.state or check.state == log.state_of(self.simulation)):
+            self._agreed = check.step
             return
         some = log.noted(self.simulation)
-        if len(check.at) == len(some):
+        if moves:
+            largest = "not in positions and velocities, but in what keys, damage or friction did"
+        elif len(check.at) == len(some):
             apart = float(np.hypot(*(some - check.at).T).max())
             unit = self.simulation.scene.view.unit
             largest = f"largest distance of a mass noted {apart:.3g} {unit}"
@@ -156,7 +177,8 @@ class Player:
         here = log.this_machine()
         elsewhere = f"; it was recorded on {self.record.machine}, this is {here}"
         self.difference = (
-            f"differs first at t = {check.time:.6g} s (check {self._checks} of {self.record.checks}), "
+            f"differs first at step {check.step}, t = {check.time:.6g} s "
+            f"(check {self._checks} of {self.record.checks}; it agrees at step {self._agreed}), "
             + largest
             + (elsewhere if here != self.record.machine else "")
         )

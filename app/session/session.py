@@ -29,13 +29,14 @@ from .companions import Companions
 from .driving import Driving
 from .ghost import Ghost
 from .hand import FRAME, PointerHands
-from .history import AbandonedFuture, History
+from .history import AbandonedFuture, History, Wanted
 from .log import Log
 from .modes import ModesWatch
 from .notices import About, Notice, runaway_notice, shape_notice
 from .pacing import HEAVY_UNIT, LONGEST_FRAME, Costs, Pacer, is_large
 from .predictability import PredictabilityMeter
 from .record import Recorder
+from .reel import Development
 from .replay import Player
 from .rest_pose import RestPosePreview
 from .stability import StabilityWatch
@@ -55,6 +56,9 @@ MAX_QUEUE = 4000
 
 MAX_SECONDS = 0.5
 """Seconds of computing, estimated, for single steps or for one call of a replay."""
+
+MIN_SLICE = 0.004
+"""Seconds of computing that a frame gets for computing past frames again, at least."""
 
 _AFTER_REPLAY = "it begins where a replay was left"
 
@@ -118,6 +122,10 @@ class Command:
         """Whether the clock runs after it, given whether it runs before."""
         return playing
 
+    def is_overtaken_by(self, other: Command) -> bool:
+        """Whether it need not be applied if another comes right after it."""
+        return False
+
 
 class _Question(Command, Generic[T]):
     """A question that only the ticker can answer, between two frames."""
@@ -158,6 +166,7 @@ class Session:
         fallbacks: fallback steps since the scene was opened or reset.
         recorder: acts on the body and records a log; not while a log is played.
         history: past moments, and which of them is shown.
+        development: computes a past frame again that is not stored, and those beside it; or None.
         abandoned_future: what came next before the user went back and on from there; or None.
         refusal: why the body could not keep its shape, until something else is done to it; or None.
         refused_shape: (n, 2) that shape, px.
@@ -185,6 +194,7 @@ class Session:
         self.lesson_begun = self.awaits_answer = self.follows_energy = False
         self.generation = self.openings = self.revision = 0
         self.history, self.versions = History(), Versions()
+        self.development: Development | None = None
         self.notices: list[Notice] = []
         self.preparing = ""
         self.pacer = Pacer()
@@ -201,7 +211,7 @@ class Session:
         """Replace the body, and forget all that belongs to the one before."""
         self.simulation = sim.Simulation(scene, wait=self.can_wait)
         self.opened = self.lesson_base = self.simulation.capture().scene
-        self.recorder = Recorder(self.simulation)
+        self.recorder = Recorder(self.simulation, history=self.history)
         self.companions = Companions()
         self.replay: Player | None = None
         self._viewer: sim.Simulation | None = None  # shows the past of a replay
@@ -260,7 +270,12 @@ class Session:
     def is_idle(self) -> bool:
         """Whether only the clock runs, at next to no cost: no hand, key or log, no other body, no command."""
         acts = self.simulation.keys or self.hands.masses or self.driving.drive is not None or self.follow
-        others = self.replay is not None or self.modes is not None or len(self.companions) > 0
+        others = (
+            self.development is not None
+            or self.replay is not None
+            or self.modes is not None
+            or len(self.companions) > 0
+        )
         busy = self.notices or self.stability_watch.is_looking or self.has_commands
         cheap = self.pacer.rates(self.clock()).solver_ms < CHEAP or not self.playing
         return cheap and not (acts or others or busy)
@@ -352,9 +367,11 @@ class Session:
         """Apply the commands that wait, whether or not the clock runs."""
         for _ in range(len(self._queue)):
             with self._lock:
-                if not self._queue:
+                if not self._queue or self.is_seeking:
                     break
                 at, command = self._queue.popleft()
+                if self._queue and command.is_overtaken_by(self._queue[0][1]):
+                    continue
             try:
                 self._apply(command, at)
             except (InputError, SettingError, SceneError) as error:
@@ -382,6 +399,8 @@ class Session:
             longest: seconds of wall time that the frame may make up for.
         """
         now = self.clock()
+        if self.development is not None:
+            self._develop(self.development, budget)
         if now - self._keys_at > KEYS_FORGOTTEN_AFTER:
             self.hold_keys(frozenset(), self._keys_at)
         if now - self.driving.said_at > KEYS_FORGOTTEN_AFTER:
@@ -597,11 +616,52 @@ class Session:
         self.play(choices.playing)
 
     # --------------------------------------------------------------------- time
+    @property
+    def is_seeking(self) -> bool:
+        """Whether a frame that is to be shown is still being computed; all commands wait for it."""
+        return self.development is not None and not self.development.is_found
+
+    def go_to(self, frame: int | Wanted) -> None:
+        """Stop the clock, and show a past frame: at once, or as soon as it is computed again."""
+        if isinstance(frame, int):
+            self.show(frame)
+            return
+        self.play(False)
+        self.development = self.history.development(
+            frame, lambda scene: sim.Simulation(scene, wait=self.can_wait)
+        )
+        if self.development is None:
+            self.show(self.history.index_of(*frame))
+
+    def _develop(self, development: Development, budget: float) -> None:
+        """Go on with computing past frames again; show the wanted one once it is there."""
+        sought = not development.is_found
+        try:
+            development.advance(max(budget, MIN_SLICE))
+        except (InputError, SettingError, SceneError):  # as where kernels that it needs have gone
+            self.development = None
+            if sought:
+                self.show(self.history.index_of(development.number, development.time))
+            return
+        if not development.is_found:
+            return
+        frames, development.frames = development.frames, development.frames[-1:]
+        scenes = {id(moment.scene): moment.scene for _, moment in frames}
+        known = {key: self.versions.known(scene) for key, scene in scenes.items()}
+        moments = [(number, replace(moment, scene=known[id(moment.scene)])) for number, moment in frames]
+        self.history.take(moments, first=sought)
+        if sought:
+            self.show(self.history.index_of(development.number, development.time))
+        if development.has_ended:
+            self.development = None
+
     def branch(self) -> None:
         """Abandon the moments after the one that is shown; those to come take their place."""
+        self.development = None
         if self.replay is not None:
             if self.history.scrubbed:
                 self.show(self.history.last)
+            self.history.forget_again()
         elif newer := self.history.cut():
             self.abandoned_future = AbandonedFuture.of(newer)
             self.refresh(Refresh.SETTINGS)
@@ -633,7 +693,7 @@ class Session:
     def begin_replay(self, record: Log) -> None:
         """Show the body of a log, and play the log."""
         self.open(record.scene)
-        self.replay = Player(record, self.simulation)
+        self.replay = Player(record, self.simulation, history=self.history)
         self.play(True)
 
     # --------------------------------------------------------------------- inside
@@ -642,6 +702,7 @@ class Session:
         self.joint = min(self.joint, max(0, len(self.simulation.scene.angular_springs) - 1))
 
     def _begin_history(self) -> None:
+        self.development = None
         self.history.clear()
         self.history.add(self.simulation.capture())
         self.abandoned_future: AbandonedFuture | None = None
@@ -675,6 +736,7 @@ class Session:
     def _count(self, now: float, done: int, missed: int, began: float) -> float:
         """Enter the steps done since `began` into the pacer; the seconds that they took."""
         seconds, stats = time.perf_counter() - began, self.simulation.stats()
+        self.history.reel.spend(seconds)
         self.fallbacks += stats.fallbacks
         self.pacer.record(now, self.simulation.dt, done, seconds, stats, missed=missed)
         return seconds
@@ -728,7 +790,7 @@ class Session:
 
     def _end_replay(self, text: str, kind: Literal["info", "warning"] = "info") -> None:
         self.replay = self._viewer = None
-        self.recorder = Recorder(self.simulation, _AFTER_REPLAY)
+        self.recorder = Recorder(self.simulation, _AFTER_REPLAY, self.history)
         self.hold_keys(frozenset(), self._keys_at)
         self.refresh(Refresh.SETTINGS)
         self.notices.append(Notice(kind, "The replay has ended", text))

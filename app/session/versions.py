@@ -231,6 +231,10 @@ class Versions:
                 self._at = at
                 return
 
+    def known(self, scene: Scene) -> Scene:
+        """The version that equals a scene that was made once more; the scene itself if there is none."""
+        return next((known for _, known in self._nearest() if known == scene), scene)
+
     def return_to(self, scene: Scene) -> Scene | None:
         """Go to the version that equals a scene; the scene that it is known by, or None if there is none."""
         for at, known in self._nearest():

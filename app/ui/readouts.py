@@ -442,7 +442,7 @@ def help_html(keys: list[tuple[str, str]]) -> str:
     rows = "".join(f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in keys)
     return (
         f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
-        "<p>The bar below the body goes back in time, about a minute. Play goes on from the moment that it "
+        "<p>The bar below the body goes back to any moment of the run. Play goes on from the moment that it "
         "shows; what happened before you went back stays as a thin line. Click or tap a mass to read its "
         f"joint.</p><table>{rows}</table></div>"
     )

@@ -325,6 +325,17 @@ class Record(_Block):
         for start in self._starts:
             words[start] = 0
 
+    def contents(self) -> tuple[int, ...]:
+        """Return all numbers, as words."""
+        words = self.__dict__["_wholes"]
+        return tuple([words[start] for start in self._starts])
+
+    def put(self, contents: tuple[int, ...]) -> None:
+        """Set all numbers to what `contents` has returned."""
+        words = self.__dict__["_wholes"]
+        for start, word in zip(self._starts, contents, strict=True):
+            words[start] = word
+
     def take_over(self, other: Self) -> None:
         """Copy all numbers from another record."""
         words, others = self.__dict__["_wholes"], other.__dict__["_wholes"]

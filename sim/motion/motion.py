@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Iterable
 from dataclasses import replace
@@ -10,12 +11,21 @@ from typing import NamedTuple
 from ..compiling.compiler import is_ready, needed_by
 from ..engine.tables import SCALE_MAX, SCALE_MIN, Indices, PrescribedMotion
 from ..model.stable_spring import clamp_stiffness
-from ..model.state import Carried, carried_by, fill_in, new_scratch, new_state, put_masses
+from ..model.state import (
+    Carried,
+    carried_by,
+    fill_in,
+    new_scratch,
+    new_state,
+    put_masses,
+    whole_without_broken,
+)
 from ..model.system import System, build_system
 from ..scene.numbers import MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.steps import guard
+from .checkpoint import MotionMemory, Words, writable
 from .driving import Driver
 from .hands import LONGEST_PART, NO_MOTIONS, HandMotions, Hands
 from .plain import PlainSolver
@@ -88,6 +98,7 @@ class Motion:
         carried: the motion to go on from; None for the scene's start.
         time, steps, controls: see `begin`.
         hands: of another motion of the same masses, whose hold is taken over.
+        damageable: whether its tables have room for damage, also if `carried` has none.
 
     Attributes:
         state: positions, velocities and parameters that change; `begin` says from what they follow.
@@ -106,9 +117,10 @@ class Motion:
         steps: int = 0,
         controls: tuple[float, float] | None = None,
         hands: Hands | None = None,
+        damageable: bool = False,
     ) -> None:
         self.scene, self._wait = scene, wait
-        system = build_system(scene, carried is not None and carried.damage is not None)
+        system = build_system(scene, damageable or (carried is not None and carried.damage is not None))
         if scene.integrator.method == "stable_spring":
             body = clamp_stiffness(system.body, system.inverse_mass, system.held, scene.integrator.dt)
             system = replace(system, body=body)
@@ -196,6 +208,45 @@ class Motion:
     def carried(self) -> Carried:
         """The present motion, to go on from it."""
         return carried_by(self.state, self.system)
+
+    def remembered(self) -> MotionMemory:
+        """All that decides how it goes on, to the last bit; its kernels must be there."""
+        assert isinstance(self.solver, Solver)
+        hands = self.hands
+        return MotionMemory(
+            damageable=self.damageable,
+            state=Words.of(writable(self.state.arrays())),
+            solver=self.solver.remembered(self._begins),
+            origin=self._origin,
+            begins=self._begins,
+            steps=self.steps,
+            drive=self._kept,
+            key_rates=self._key_rates,
+            led=dict(self._led),
+            grabbed=frozenset(hands.grabbed),
+            targets=dict(hands.targets),
+            limited=copy.deepcopy(hands.limited),
+        )
+
+    def remember(self, memory: MotionMemory) -> None:
+        """Go on as the motion of the same scene did that had remembered this; its kernels must be there."""
+        assert isinstance(self.solver, Solver)
+        hands = self.hands
+        memory.state.put_into(writable(self.state.arrays()))
+        hands.grabbed, hands.targets = set(memory.grabbed), dict(memory.targets)
+        hands.limited = copy.deepcopy(dict(memory.limited))
+        if self._whole.body.limits.present:
+            self.solver.system = whole_without_broken(self._whole, self.state)
+        self.solver.remember(memory.solver)
+        self._all_held = bool(hands.held.all())
+        self._origin, self._begins, self.steps = memory.origin, memory.begins, memory.steps
+        self._kept, self._key_rates = memory.drive, KeyRates(*memory.key_rates)
+        self._led, self._steady = dict(memory.led), None
+
+    @property
+    def damageable(self) -> bool:
+        """Whether its tables have room for damage."""
+        return bool(self._whole.body.limits.present)
 
     def go_to_start(self) -> None:
         """Begin as the scene does."""

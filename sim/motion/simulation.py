@@ -21,6 +21,7 @@ from ..scene.types import Anchor, Damage, Pose, Scene
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from ..solve.steps import guard
+from .checkpoint import Checkpoint
 from .divergence import Divergence, explain
 from .energy import Energies, EnergyTracker
 from .hands import Hands, within_bounds
@@ -444,6 +445,35 @@ class Simulation:
         self._time_remainder = 0.0
         if kept:
             self.track_energy(True)
+
+    def checkpoint(self) -> Checkpoint:
+        """All that decides every bit of how it goes on, to `resume` from, also in the middle of a motion.
+
+        Raises:
+            InputError: it moves by NumPy until its kernels are compiled, or it has run away.
+        """
+        if self.plain or self.divergence is not None:
+            raise InputError("checkpoint: how this body goes on is not decided yet")
+        return Checkpoint(self._scene, self._keys, self.time, self._motion.remembered())
+
+    def resume(self, checkpoint: Checkpoint) -> None:
+        """Go on as the simulation did that made the checkpoint: the same calls then lead to the same bits.
+
+        What hands hold comes back, too, and so do the keys held then. The energy is not tracked.
+
+        Raises:
+            InputError: the kernels of its method are not there.
+        """
+        memory = checkpoint.memory
+        self._motion.hands.clear()
+        if checkpoint.scene is not self._scene or memory.damageable != self._motion.damageable or self.plain:
+            self._install(Motion(checkpoint.scene, self._wait, damageable=memory.damageable))
+        if self.plain:
+            raise InputError("resume: the kernels of this method are still being compiled")
+        self.track_energy(False)
+        self._motion.remember(memory)
+        self._keys, self._time_remainder = checkpoint.keys, 0.0
+        self._begun()
 
     def take_state(self, other: Simulation, shift: NDArray[np.float64] | None = None) -> None:
         """Take over positions, velocities, time and held masses of a simulation of the same topology.

@@ -20,6 +20,7 @@ from ..compiling.compiler import (
 )
 from ..engine.calls import INDIRECT_CALLS
 from ..engine.layout import Layout, aligned_arena
+from ..engine.table import Record
 from ..engine.tables import (
     CHOICES,
     CONTROL_SCALE,
@@ -32,6 +33,7 @@ from ..engine.tables import (
     AutoState,
     EnergyBalance,
     Floats,
+    Indices,
     IntegratorState,
     Matrix,
     PhasePoint,
@@ -60,6 +62,7 @@ from ..solve.steps import guard
 from ..solve.steps.fallback import run_fallback
 from ..solve.tableaux import RK4
 from .auto_costs import LONG, LOW_TOLERANCE, costs_of_steps, tolerance_factors
+from .checkpoint import SolverMemory, Words, writable
 from .stability import damped_limit, quick_limit
 
 _ROWS, _ALPHA_ROWS = 20, 4
@@ -249,6 +252,39 @@ class Solver:
         run.time, run.origin, run.fastest = time, time, fastest
         if self._own is None:
             self._forget_turns()
+
+    def remembered(self, begins: bool) -> SolverMemory:
+        """Return all that it knows of earlier steps, to the last bit, and what is in its scratch.
+
+        Args:
+            begins: whether `load` comes next, so that it knows nothing.
+        """
+        costs = None if self._costs is None else self._costs.copy()
+        if begins:
+            return SolverMemory(None, (), costs)
+        numbers = tuple(record.contents() for record in self._records)
+        return SolverMemory(Words.of(self._arrays), numbers, costs)
+
+    def remember(self, memory: SolverMemory) -> None:
+        """Go on as a solver of the same tables did that had remembered this; not the state."""
+        self._costs, self._problem, self._missing = memory.costs, None, set()
+        if memory.arrays is None:
+            return
+        memory.arrays.put_into(self._arrays)
+        self._words[:] = self._first_words
+        for record, numbers in zip(self._records, memory.numbers, strict=True):
+            record.put(numbers)
+        if self._matrix is not None:
+            clear_factors(self._matrix)  # each step makes its own
+
+    @property
+    def _arrays(self) -> list[Floats | Indices]:
+        return [self._memory, *writable(self.scratch.arrays())]
+
+    @property
+    def _records(self) -> list[Record]:
+        every = (getattr(self.integrator, name) for name in sorted(self.integrator.tables))
+        return [each for each in every if isinstance(each, Record)]
 
     def _forget_turns(self) -> None:
         """Forget what `auto` has learnt of its methods."""

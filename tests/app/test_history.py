@@ -15,6 +15,7 @@ import sim
 from app.session import commands, history
 from app.session.ghost import GhostMoment
 from app.session.history import AbandonedFuture, History
+from app.session.reel import Reel
 from tests.amount import examples, part_of
 from tests.app.pages import FRAME, SessionPage
 from tests.sim.builders import tutorial_preset
@@ -36,13 +37,25 @@ def page() -> SessionPage:
 
 
 # ------------------------------------------------------------------------- the ring
-def test_a_minute_of_frames_is_kept() -> None:
+class HasAll(Reel):
+    """A reel from which any frame could be computed again."""
+
+    def has(self, number: int) -> bool:
+        return True
+
+
+def test_a_minute_of_frames_is_kept_and_what_the_reel_lacks() -> None:
     ring = History()
     for i in range(5000):
+        ring.reel = Reel() if i < 100 else HasAll()
         ring.add(moment(i * FRAME))
     assert len(ring) == history.SPAN
     assert ring.end == pytest.approx(4999 * FRAME)
     assert ring.end - ring.start == pytest.approx(3599 * FRAME)
+    ring.reel = Reel()
+    for i in range(5000, 5100):
+        ring.add(moment(i * FRAME))
+    assert len(ring) == history.SPAN + 100
 
 
 def bytes_of(ring: History) -> int:
@@ -55,6 +68,7 @@ def bytes_of(ring: History) -> int:
 def test_a_large_body_keeps_its_last_frames_and_fewer_of_a_minute(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(history, "MAX_BYTES", 200_000)
     ring = History()
+    ring.reel = HasAll()
     for i in range(5000):
         ring.add(moment(i * FRAME))
         assert ring.bytes <= 200_000
@@ -109,7 +123,9 @@ def test_the_ring_stays_in_order_and_counts_its_bytes(steps: list[tuple[str, flo
         elif what == "amend":
             ring.amend(moment(ring.end))
         elif what == "back":
-            ring.shown = ring.back(seconds)
+            index = ring.back(seconds)
+            assert isinstance(index, int)  # the reel has nothing
+            ring.shown = index
         else:
             shown = ring.shown
             newer = ring.cut()

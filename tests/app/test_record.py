@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import msgspec
@@ -17,6 +18,7 @@ from app.session.hand import GIZMO
 from app.session.log import Check, Log, decode_log
 from app.ui.kept.keeping import MAX_BYTES
 from sim.errors import InputError
+from sim.scene.types import Damage
 from sim.solve.registry import METHODS
 from sim.store.files import encode_fields
 from tests.amount import examples
@@ -260,10 +262,47 @@ def test_a_replay_says_where_it_first_differs(data: bytes) -> None:
     player = replayed(perturbed(data))
     checks = player.record.checks
     assert not player.agrees
-    (t,) = [line["time"] for line in lines_of(data) if line.get("do") == "check"][1:2]
-    assert player.verdict.startswith(f"differs first at t = {t:.6g} s (check 2 of {checks})")
+    one, two = [(line["step"], line["time"]) for line in lines_of(data) if line.get("do") == "check"][:2]
+    says = f"step {two[0]}, t = {two[1]:.6g} s (check 2 of {checks}; it agrees at step {one[0]}), "
+    assert player.verdict.startswith(f"differs first at {says}")
+    assert player.ended  # it goes on
     assert "largest distance of a mass noted 0.125 px" in player.verdict
     assert "recorded on abacus beads with numba 1" in player.verdict
+
+
+def test_a_replay_says_what_differs_besides_positions(data: bytes) -> None:
+    lines = lines_of(data)
+    checks = [line for line in lines if line.get("do") == "check"]
+    checks[1]["state"] = "0" * 16
+    player = replayed(joined(lines))
+    assert player.verdict.startswith(f"differs first at step {checks[1]['step']}, t = ")
+    assert f"it agrees at step {checks[0]['step']})" in player.verdict
+    assert "not in positions and velocities" in player.verdict
+
+
+def test_a_log_without_states_is_replayed_as_before(data: bytes) -> None:
+    lines = lines_of(data)
+    for line in lines:
+        line.pop("state", None)
+    assert replayed(joined(lines)).agrees
+
+
+def test_a_state_is_all_that_changes() -> None:
+    simulation = sim.Simulation(sim.load_scene("girder"))
+    states = {log.state_of(simulation)}
+    simulation.keys = {"up"}
+    states.add(log.state_of(simulation))
+    simulation.step(1)
+    simulation.keys = ()
+    states.add(log.state_of(simulation))
+    moment = simulation.capture()
+    damage = Damage(broken=(1,), set_lengths=(), hardened=(), set_angles=())
+    for other in (replace(moment, damage=damage), replace(moment, rest_angle_shift=1.0)):
+        simulation.restore(other)
+        states.add(log.state_of(simulation))
+    assert len(states) == 5
+    simulation.restore(moment)
+    assert log.state_of(simulation) in states
 
 
 def test_a_step_less_differs(data: bytes) -> None:
@@ -288,7 +327,7 @@ def test_run_replays_what_a_page_saved(data: bytes, tmp_path: Path, softrod: Sof
     refused(softrod("run", "ring", "--inputs", saved), "another scene than ring")
     refused(softrod("run", "--inputs", saved, "--set", "gravity=0"), "--set")
     saved.write_bytes(perturbed(data))
-    refused(softrod("run", "--inputs", saved), "differs first at t = ", "(check 2 of")
+    refused(softrod("run", "--inputs", saved), "differs first at step ", "(check 2 of")
 
 
 # ------------------------------------------------------------------------- nothing in a log is trusted

@@ -59,7 +59,7 @@ def test_looking_back_in_a_replay_does_not_disturb_it(data: bytes) -> None:
 def test_a_page_says_that_a_replay_differs(data: bytes) -> None:
     page = played(perturbed(data), 500)
     assert [notice.kind for notice in page.session.notices] == ["warning"]
-    assert "differs first at t = " in page.told
+    assert "differs first at step " in page.told
 
 
 @pytest.mark.parametrize(

@@ -5,11 +5,12 @@ from __future__ import annotations
 from contextlib import ExitStack
 
 import numpy as np
+import pytest
 from playwright.sync_api import Browser
 
 import sim
 from app.server.serve import serving
-from app.session import commands
+from app.session import commands, history
 from tests.browser.conftest import DESKTOP, OpenPage
 from tests.browser.driver import Desk, Served, rough_context
 
@@ -64,6 +65,34 @@ def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
     desk.button("Take the line away").click()
     desk.until(lambda: desk.session.abandoned_future is None, "it is forgotten")
     desk.until(lambda: desk.button("Take the line away").count() == 0, "and so is its button")
+
+
+def test_the_bar_goes_to_what_is_no_longer_stored_by_pointer_and_keys(
+    open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(history, "SPAN", 30)
+    desk = open_page()
+    desk.tell(commands.Speed(4.0))
+    desk.until(lambda: desk.simulation.time > 6.0, "it runs for a while")
+    desk.button("Pause").click()
+    desk.until(lambda: not desk.session.playing, "it pauses")
+    end, slider = desk.simulation.time, desk.page.get_by_label("Time shown")
+    assert len(desk.session.history) < 60
+    box = slider.bounding_box()
+    assert box is not None
+    desk.page.mouse.click(box["x"] + 0.3 * box["width"], box["y"] + box["height"] / 2)
+    desk.until(lambda: desk.simulation.time < 0.4 * end, "it is at a third")
+    desk.until(desk.clock_is_right, "the clock shows it")
+    assert_shows(desk, desk.simulation.positions)
+    time = desk.simulation.time
+    desk.button("Forward 1 frame").focus()
+    desk.page.keyboard.press("Tab")
+    desk.page.keyboard.press("ArrowRight")
+    desk.until(lambda: abs(desk.simulation.time - time - 1.0) < 0.2, "an arrow goes on by a second")
+    desk.page.keyboard.press("PageUp")
+    desk.until(lambda: desk.simulation.time == end, "and a page by a minute, or to the end")
+    desk.page.keyboard.press("Home")
+    desk.until(lambda: desk.simulation.time == 0.0, "to the start")
 
 
 def test_the_scene_before_comes_back_and_is_fitted_to_the_window(open_page: OpenPage) -> None:

@@ -8,6 +8,7 @@ import { COMMANDS } from "../../wire/commands.js";
 import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
+import { barOf } from "./span.js";
 
 /** Three dots: on a phone they show the rest of the bar. */
 const MORE = "M5 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM12 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM19 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6z";
@@ -85,7 +86,13 @@ function speedBox() {
   return { element: select, show };
 }
 
-/** The slider of time, which the page does not move while the user holds it. */
+/** Seconds by which keys move the slider. @type {Readonly<Record<string, number>>} */
+const BY_KEYS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -60, PageUp: 60 };
+
+/** Milliseconds that a moment may take to come; until then the slider stays where it was put. */
+const COMES_WITHIN = 1500;
+
+/** The slider of time, of the whole run; the page does not move it while the user holds it. */
 function timeSlider() {
   const slider = make("input", "");
   slider.type = "range";
@@ -94,24 +101,48 @@ function timeSlider() {
   let held = false;
   let asked = false;
   let wanted = 0;
+  let shown = 0;
+  let put = { at: 0, until: 0 }; // the time shown when the user let go, and until when the slider stays
+  let bar = barOf(0, 1e-3);
   const go = () => {
     asked = false;
     send({ do: "goTo", time: Number(wanted.toFixed(6)) });
   };
-  slider.addEventListener("input", () => {
-    held = true;
-    wanted = Number(slider.value);
+  /** @param {number} time */
+  const ask = (time) => {
+    wanted = time;
     if (!asked) requestAnimationFrame(go);
     asked = true;
+  };
+  slider.addEventListener("input", () => {
+    held = true;
+    ask(bar.time(Number(slider.value)));
   });
-  slider.addEventListener("change", () => (held = false));
+  slider.addEventListener("change", () => {
+    held = false;
+    put = { at: shown, until: performance.now() + COMES_WITHIN };
+  });
+  slider.addEventListener("keydown", (event) => {
+    const step = BY_KEYS[event.key];
+    if (step === undefined || event.ctrlKey || event.altKey || event.metaKey || !slider.matches(":focus-visible")) return;
+    event.preventDefault();
+    ask((asked ? wanted : shown) + step);
+  });
+  slider.addEventListener("pointermove", ({ clientX, pointerType }) => {
+    const { left, width } = slider.getBoundingClientRect();
+    const part = Math.min(Math.max((clientX - left) / width, 0), 1);
+    slider.title = pointerType === "mouse" ? `${bar.time(bar.low + part * (Number(slider.max) - bar.low)).toFixed(1)} s` : "";
+  });
   /** @param {number} now */
   const show = (now) => {
     const { start = 0, end = 0, scrubbed } = pageState();
-    const last = scrubbed ? end : Math.max(end, now);
-    slider.min = String(start);
-    slider.max = String(Math.max(last, start + 1e-3));
-    if (!held) slider.value = String(now);
+    const last = Math.max(scrubbed ? end : Math.max(end, now), start + 1e-3);
+    bar = barOf(start, last);
+    shown = now;
+    slider.min = String(bar.low);
+    slider.max = String(last);
+    const comes = now === put.at && performance.now() < put.until && !pageState().playing;
+    if (!held && !comes) slider.value = String(bar.position(now));
     slider.ariaValueText = `${now.toFixed(2)} seconds`;
   };
   return { element: slider, show };
@@ -123,10 +154,11 @@ function offers() {
   const [before, past, forget] = [offerButton("before"), make("span", "softrod-past"), offerButton("forget")];
   line.append(before, past, forget);
   const show = () => {
-    const { offer, future } = pageState();
+    const { offer, future, scrubbed, start = 0 } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
-    past.textContent = future ? "The thin line is what happened before you went back." : "";
+    const lost = scrubbed && start > 0 ? `Of the time before ${start.toFixed(1)} s too much happened to be kept.` : "";
+    past.textContent = future ? "The thin line is what happened before you went back." : lost;
   };
   return { element: line, show };
 }
