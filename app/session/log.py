@@ -48,6 +48,7 @@ NOTED = 32
 
 _Mass = Annotated[int, Meta(ge=0, lt=100_000)]
 _Seconds = Annotated[float, Meta(ge=0.0, le=1e9)]
+_Way = Annotated[float, Meta(ge=-1.0, le=1.0)]
 _Count = Annotated[int, Meta(ge=0, le=10**15)]
 _Times = Annotated[int, Meta(ge=1, le=10**7)]
 
@@ -174,6 +175,7 @@ class Restore(Entry, frozen=True, tag_field="do", tag="restore"):
         pose: positions, px, and velocities, px/s.
         time, step: simulated time, s, and time steps since the start.
         scale, shift: the factor of all rest lengths, and degrees added to all rest angles.
+        steer: what held keys do to motors, muscles and forces, see `Moment`.
         scene: the body and its settings; None if unchanged.
     """
 
@@ -182,6 +184,7 @@ class Restore(Entry, frozen=True, tag_field="do", tag="restore"):
     step: _Count
     scale: Annotated[float, Meta(ge=SCALE_MIN, le=SCALE_MAX)] = 1.0
     shift: Angle = 0.0
+    steer: tuple[_Way, _Way, _Way, _Way, _Seconds] | msgspec.UnsetType = msgspec.UNSET
     scene: dict[str, Any] | None = None
 
 
@@ -364,6 +367,7 @@ def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
         step=moment.step_count,
         scale=moment.rest_length_scale,
         shift=moment.rest_angle_shift,
+        steer=moment.steer or msgspec.UNSET,
         scene=fields_of(moment.scene) if with_scene else None,
     )
 
@@ -376,7 +380,8 @@ def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
     """
     pose = consistent_pose(entry.pose, scene)
     rows = np.ascontiguousarray([*np.array(pose.positions).T, *np.array(pose.velocities).T])
-    return sim.Moment(scene, entry.scale, entry.shift, rows, entry.time, entry.step, pose.damage, pose.grips)
+    controls, kept = (entry.scale, entry.shift), (pose.damage, pose.grips, entry.steer or ())
+    return sim.Moment(scene, *controls, rows, entry.time, entry.step, *kept)
 
 
 def is_recorded(data: bytes) -> bool:

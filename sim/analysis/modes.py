@@ -28,6 +28,7 @@ from ..model.state import start_of
 from ..model.system import build_system, for_analysis
 from ..motion.moment import Moment
 from ..scene.columns import ends
+from ..scene.parts import constant_force
 from ..scene.types import Scene
 from ..scene.validate import validate
 from .decay import Decay
@@ -131,7 +132,7 @@ class Modes:
         self._here = self._system.mass_index
         self._physics = Physics(self._system.body, self._state)
         free = self._state.inverse_mass[self._here] > 0.0
-        loads = np.array([mass.force or (0.0, 0.0) for mass in self.scene.masses]) @ (1.0, 1.0j)
+        loads = np.array([constant_force(mass) or (0.0, 0.0) for mass in self.scene.masses]) @ (1.0, 1.0j)
         self._weight = free * (self._mass * complex(*self.scene.gravity) + loads)
         x = self._state.x + 1j * self._state.y
         self.rest = x[self._here].view(np.float64).reshape(-1, 2)

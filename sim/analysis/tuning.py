@@ -20,6 +20,7 @@ from ..model.state import start_of
 from ..model.system import build_system, damage_of, for_analysis, joint_stiffness
 from ..motion.stability import StabilityMeter, limit_at_start
 from ..scene.columns import column, ends
+from ..scene.parts import constant_force
 from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
 from ..solve.registry import METHODS
@@ -354,7 +355,8 @@ def pull_direction(scene: Scene) -> Floats | None:
     pull = np.array(scene.gravity)
     if not pull.any():
         held = {anchor.mass for anchor in scene.anchors}
-        loads = [mass.force for i, mass in enumerate(scene.masses) if mass.force and i not in held]
+        forces = map(constant_force, scene.masses)
+        loads = [force for i, force in enumerate(forces) if force and i not in held]
         pull = np.sum([(0.0, 0.0), *loads], axis=0)
     size = float(np.hypot(*pull))
     return pull / size if size > 0.0 else None

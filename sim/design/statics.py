@@ -36,6 +36,7 @@ from ..forces.rails import ways_of
 from ..forces.springs import SpringsReference
 from ..forces.touch.walls import WallRow, WallsReference
 from ..scene.columns import ends
+from ..scene.parts import constant_force
 from ..scene.types import Grips
 
 if TYPE_CHECKING:
@@ -188,7 +189,7 @@ class Statics:
             force += others.forces(x, still, others.acting(x, still))
         weights = np.array([mass.mass for mass in body.scene.masses])
         known = force[place] + weights * complex(*body.scene.gravity)
-        known += np.array([complex(*(mass.force or (0.0, 0.0))) for mass in body.scene.masses])
+        known += np.array([complex(*(constant_force(mass) or (0.0, 0.0))) for mass in body.scene.masses])
         # Forces of walls on touching masses are unknowns instead.
         for row, forces in enumerate(WallsReference(body.tables, state).force_of_each(x, still)):
             here = np.unique(self._touching.mass[self._touching.wall == row])

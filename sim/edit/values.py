@@ -346,7 +346,9 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
     beat = scene.beat
 
     def swing(part: LinearSpring | AngularSpring) -> float:
-        return float(swings(beat, [part.muscle], moment.time)[0]) if beat and part.muscle else 0.0
+        if not (beat and part.muscle):
+            return 0.0
+        return float(swings(beat, [part.muscle], moment.steer, moment.time)[0])
 
     lengths: dict[int, float | None] = {}
     for s in springs:

@@ -62,9 +62,9 @@ class Muscles(Table):
     present: bool  # there are any
     period: float  # of the beat, s; 0 where it is not periodic
     spring: Indices  # (S,) each spring
-    stretch: Rows  # (S, 4) a `Row` for each
+    stretch: Rows  # (S, 5) a `Row` for each
     joint: Indices  # (J,) each joint
-    turn: Rows  # (J, 4) a `Row` for each
+    turn: Rows  # (J, 5) a `Row` for each
 
 
 class Body(Table):
@@ -133,7 +133,9 @@ class State(Table):
     gx: Floats  # (slots,) acceleration due to gravity and the constant force on each mass, px/s²
     gy: Floats
     clock: Floats  # (1,) time of the gusts, of belts and of the muscles, s
-    steer: Floats  # (2,) 1 while Right is held, -1 while Left is, else 0; the same of Up and Down
+    # (5,) 1 while Right is held, -1 while Left is, else 0; the same of Up and Down; and from what their
+    # efforts follow, see `engine.numerics.waves`.
+    steer: Floats
     # Empty where nothing yields or breaks.
     set_length: Floats  # (S,) permanent changes of rest lengths, px
     set_angle: Floats  # (J,) permanent changes of rest angles, degrees
@@ -485,7 +487,7 @@ class Work(Record):
     damping: float  # by damping; negative
     air: float  # by air friction and a medium; negative
     law: float  # by a force law without an energy
-    keys: float  # by keys that change rest lengths and rest angles
+    keys: float  # by keys that change rest lengths and rest angles, and forces that keys work
     muscles: float  # by muscles, which change them too
     motors: float  # by motors
     fallbacks: float  # by fallback steps; negative or zero

@@ -21,6 +21,7 @@ from .events import LARGEST_PART, UNSEEN
 from .fillings import FILLINGS
 from .motors import MOTORS
 from .one_sided import ONE_SIDED
+from .pushes import PUSHES
 from .rails import RAILS, keep_on_rails
 from .resistance import RESISTANCE
 from .runs import JOINTS, SPRINGS, clear
@@ -29,7 +30,7 @@ from .term import SIGNATURES, Term
 from .touch.contact import CONTACT
 from .touch.walls import WALLS
 
-TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT, MOTORS, RAILS)
+TERMS = (SPRINGS, JOINTS, ONE_SIDED, AIR, RESISTANCE, WALLS, FILLINGS, CONTACT, MOTORS, PUSHES, RAILS)
 """The forces; each is added to those before it."""
 
 SURROUNDINGS = tuple(term for term in TERMS if term.field)

@@ -46,13 +46,13 @@ def actuate_muscles(body, state):
     muscles, t, scale = body.muscles, state.clock[0], state.controls[CONTROL_SCALE]
     for i in range(muscles.spring.size):
         s = muscles.spring[i]
-        rest = body.rest_length[s] * scale * (1.0 + wave(muscles.stretch[i], t))
+        rest = body.rest_length[s] * scale * (1.0 + wave(muscles.stretch[i], state.steer, t))
         if body.limits.present:
             rest += state.set_length[s]
             state.trial_tension[s] = body.stiffness[s] * rest
         state.rest_tension[s] = body.stiffness[s] * rest
     for i in range(muscles.joint.size):
-        _turn_to(body, state, muscles.joint[i], wave(muscles.turn[i], t))
+        _turn_to(body, state, muscles.joint[i], wave(muscles.turn[i], state.steer, t))
     if body.ring and muscles.joint.size:
         state.torque_cos[0] = state.torque_cos[body.joints]
         state.torque_sin[0] = state.torque_sin[body.joints]

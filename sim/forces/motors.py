@@ -24,10 +24,8 @@ from ..engine.table import Indices, Rows, Table
 from ..engine.tables import SHORTEST_SQUARED, Body, State
 from ..scene.columns import is_set_in_any
 from ..scene.types import Scene
+from .muscles import steer_of
 from .term import Floats, Places, Term, Vectors, summed
-
-STEERS = {"left-right": 0, "up-down": 1}
-"""The index in `State.steer` by the keys of a motor."""
 
 
 class Motors(Table):
@@ -46,11 +44,6 @@ def has_motors(scene: Scene) -> bool:
     return is_set_in_any(scene.angular_springs, "motor")
 
 
-def is_steered(scene: Scene) -> bool:
-    """Whether keys steer any motor of a valid scene."""
-    return any(joint.motor and joint.motor.keys for joint in scene.angular_springs)
-
-
 def new_motors(scene: Scene, places: Places) -> Motors:
     """The table of a valid scene."""
     if not has_motors(scene):
@@ -63,7 +56,7 @@ def new_motors(scene: Scene, places: Places) -> Motors:
     return Motors(
         joint=np.array([j for j, _ in turning]),
         rows=np.array(rows, float),
-        steer=np.array([STEERS[m.keys] if m.keys else -1 for _, m in turning]),
+        steer=np.array([steer_of(m.keys) for _, m in turning]),
     )
 
 

@@ -71,7 +71,7 @@ def _layout_of_state(
         "torque_sin": (torques, 1),
         "torque_rest": (torques, 0),
         "clock": (1, 0),
-        "steer": (2, 0),
+        "steer": (5, 0),
         "set_length": (springs, 0),
         "set_angle": (joints, 0),
         "hardened": (springs, 0),
@@ -110,7 +110,7 @@ def rest_lengths(body: Body, state: State) -> Floats:
     """
     rest = body.rest_length[: body.springs] * state.controls[CONTROL_SCALE]
     if body.muscles.present:
-        rest[body.muscles.spring] *= 1.0 + waves(body.muscles.stretch, float(state.clock[0]))
+        rest[body.muscles.spring] *= 1.0 + waves(body.muscles.stretch, state.steer, float(state.clock[0]))
     return rest + state.set_length if body.limits.present else rest
 
 
@@ -120,7 +120,7 @@ def rest_angles(body: Body, state: State) -> Floats:
     if body.limits.present:
         angle = angle + state.set_angle
     if body.muscles.present:
-        angle[body.muscles.joint] += waves(body.muscles.turn, float(state.clock[0]))
+        angle[body.muscles.joint] += waves(body.muscles.turn, state.steer, float(state.clock[0]))
     return 180.0 - (180.0 - angle) % 360.0
 
 
@@ -205,16 +205,23 @@ class Carried(NamedTuple):
         rows: (4, n) x, y (px), vx and vy (px/s) of the masses.
         damage: everything that has yielded or broken, or None.
         grips: the tangential springs of sticking friction, or None.
+        steer: of the state; empty where no key was held.
     """
 
     rows: Floats
     damage: Damage | None
     grips: Grips | None
+    steer: tuple[float, ...] = ()
 
 
 def carried_by(state: State, system: System) -> Carried:
     """Return the motion in a state; its rows are copies, in the scene's order."""
-    return Carried(rows_of(state, system), damage_in(state, system), grips_of(state, system))
+    return Carried(rows_of(state, system), damage_in(state, system), grips_of(state, system), steer_in(state))
+
+
+def steer_in(state: State) -> tuple[float, ...]:
+    """Return `State.steer`: what keys do to motors, muscles and forces; empty where none was held."""
+    return tuple(state.steer.tolist()) if state.steer.any() else ()
 
 
 def fill_in(
@@ -246,6 +253,7 @@ def fill_in(
     put_masses(state, system, scene, held)
     state.controls[:] = controls
     state.clock[0] = time
+    state.steer[:] = carried.steer or 0.0
     if system.body.limits.present:
         put_damage(state, system, carried.damage)
         system = whole_without_broken(system, state)

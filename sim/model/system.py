@@ -27,6 +27,7 @@ from ..forces.muscles import NO_MUSCLES, new_muscles
 from ..forces.plasticity import NO_LIMITS, new_limits
 from ..forces.runs import new_links, order_in_runs
 from ..scene.columns import column, columns, ends, vectors
+from ..scene.parts import constant_force
 from ..scene.types import Damage, Integrator, Scene, is_damageable, is_loaded
 from ..solve.registry import METHODS
 
@@ -120,7 +121,7 @@ def build_system(scene: Scene, damaged: bool = False) -> System:
     start = np.empty((4, n))
     start[:2], start[2:] = places[mass_order].T, velocities[mass_order].T
     start[2:, held] = 0.0
-    loads = np.array([one.force or (0.0, 0.0) for one in scene.masses], float).T if loaded else None
+    loads = np.array([constant_force(one) or (0.0, 0.0) for one in scene.masses], float).T if loaded else None
     return System(
         body=body,
         mass_order=mass_order,

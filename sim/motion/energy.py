@@ -30,7 +30,7 @@ class Energies:
             body.
         plastic, broken: energy lost in yielding, and with springs and joints that broke, which is negative.
         law: work of a force law that is not the gradient of an energy.
-        keys: work of keys that change rest lengths and rest angles.
+        keys: work of keys that change rest lengths and rest angles, and of forces that keys work.
         muscles: work of muscles, which do so, too.
         motors: work of motors.
         changes: energy added by changes of settings.

@@ -29,7 +29,7 @@ from ..forces.joints import LAWS, NO_JOINTS
 from ..model.state import drag_of, new_scratch, new_state, update_rest_state
 from ..model.system import System, wired, with_numbers
 from ..scene.columns import column
-from ..scene.parts import AngularSpring, LinearSpring
+from ..scene.parts import AngularSpring, LinearSpring, constant_force
 from ..scene.types import AirLaw, Scene, is_loaded, is_muscular
 from ..scene.validate import validate
 from ..solve.steps.guard import GOOD
@@ -325,7 +325,7 @@ def _laid_together(scenes: Sequence[Scene], shape: _Shape, width: int) -> tuple[
     body = body.replaced(environment=around)
     gravity = np.array([scene.gravity for scene in scenes])[:, None, :] * free[:, :, None]
     if any(map(is_loaded, scenes)):
-        loads = np.array([[mass.force or (0.0, 0.0) for mass in scene.masses] for scene in scenes])
+        loads = np.array([[constant_force(mass) or (0.0, 0.0) for mass in scene.masses] for scene in scenes])
         gravity = gravity + inverse_mass[:, :, None] * loads
     positions, velocities = _starts(scenes, n)
     velocities = velocities * free[:, :, None]

@@ -25,6 +25,7 @@ class Moment:
         step_count: time steps done until then.
         damage: what has yielded and broken, or None.
         grips: the tangential springs by which friction holds, or None.
+        steer: what keys do to motors, muscles and forces, see `State.steer`; empty where none was held.
     """
 
     scene: Scene
@@ -35,6 +36,7 @@ class Moment:
     step_count: int
     damage: Damage | None = None
     grips: Grips | None = None
+    steer: tuple[float, ...] = ()
 
     @property
     def positions(self) -> NDArray[np.float64]:

@@ -11,13 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..compiling.compiler import for_energy, is_ready
+from ..engine.numerics.waves import EFFORTS, SINCE
+from ..engine.numerics.waves import KEYS as PAIRS
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
 from ..errors import InputError
+from ..forces.muscles import efforts
 from ..model.loads import LoadCalculator, Loads
-from ..model.state import Carried, damage_in, grips_of, rest_angles
+from ..model.state import Carried, damage_in, grips_of, rest_angles, steer_in
 from ..model.system import System, same_topology
 from ..scene.columns import ends
-from ..scene.types import Anchor, Damage, Pose, Scene
+from ..scene.types import Anchor, Damage, Pose, Scene, is_steered
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from ..solve.steps import guard
@@ -255,15 +258,28 @@ class Simulation:
         unknown = sorted(map(str, held - KEYS))
         if unknown:
             raise InputError(f"keys: {unknown[0]!r} is not one of up, down, left, right")
-        if held != self._keys and self._system.body.environment.motors.joint.size:
-            self._motion.begin_anew()
         self._keys = held
         self._steer()
 
+    @property
+    def steered(self) -> bool:
+        """Whether keys work any motor, muscle or force."""
+        return self._steered
+
+    @property
+    def steer(self) -> tuple[float, ...]:
+        """`State.steer`: what keys do to motors, muscles and forces; empty where none was held."""
+        return steer_in(self._state)
+
     def _steer(self) -> None:
-        """Let motors know of the keys."""
-        keys = self._keys
-        self._state.steer[:] = ("right" in keys) - ("left" in keys), ("up" in keys) - ("down" in keys)
+        """Let motors, muscles and forces know of the keys."""
+        keys, steer = self._keys, self._state.steer
+        ways = ("right" in keys) - ("left" in keys), ("up" in keys) - ("down" in keys)
+        if not self._steered or (steer[:PAIRS] == ways).all():
+            return
+        self._motion.begin_anew()
+        steer[EFFORTS:SINCE], steer[SINCE] = efforts(steer, self.time), self.time
+        steer[:PAIRS] = ways
 
     def move(self, mass: int, to: tuple[float, float]) -> None:
         """Put a held mass somewhere at once; the forces of the next step find it there.
@@ -352,8 +368,6 @@ class Simulation:
             return 0
         if self.plain:
             self.take_compiled()
-        if self._keys:  # the state may be another since they were pressed
-            self._steer()
         rates = key_rates_of(self._scene, self._keys)
         outcome = self._motion.step(n, rates, limit)
         if outcome.status != guard.GOOD:
@@ -420,10 +434,12 @@ class Simulation:
     def capture(self) -> Moment:
         """The present moment, to come back to; a mass in a hand is at rest in it, as if let go."""
         scale, shift = map(float, self._state.controls)
-        rows, _, grips = self._motion.carried()
+        rows, _, grips, _ = self._motion.carried()
         if self._hands.grabbed:
             rows[2:, list(self._hands.grabbed)] = 0.0
-        return Moment(self._scene, scale, shift, rows, self.time, self.step_count, self.damage, grips)
+        return Moment(
+            self._scene, scale, shift, rows, self.time, self.step_count, self.damage, grips, self.steer
+        )
 
     def restore(self, moment: Moment) -> None:
         """Back to a moment of this scene, or of another: settings, rest lengths and angles, motion and time.
@@ -434,7 +450,7 @@ class Simulation:
         """
         kept = self._tracker is not None
         time, steps = moment.time, moment.step_count
-        carried = Carried(moment.rows, moment.damage, moment.grips)
+        carried = Carried(moment.rows, moment.damage, moment.grips, moment.steer)
         controls = moment.rest_length_scale, moment.rest_angle_shift
         if moment.scene is not self._scene or self._lacks_room_for(carried):
             self._install(Motion(moment.scene, self._wait, carried, time, steps, controls))
@@ -521,6 +537,7 @@ class Simulation:
     def _install(self, motion: Motion) -> None:
         """Go on with another motion, maybe of another scene."""
         self._motion, self._scene, self._state = motion, motion.scene, motion.state
+        self._steered = is_steered(motion.scene)
         self._time_remainder = 0.0
         self._joint_ends: tuple[Indices, Indices] | None = None  # once angles have been asked for
         self._meter: StabilityMeter | None = None
@@ -563,6 +580,7 @@ class Simulation:
     def _begun(self) -> None:
         """Forget what belonged to the motion before."""
         self.divergence: Divergence | None = None
+        self._steer()
         # The scene as keys have made it, and the scale and the shift for which it was made.
         self._scene_with_controls = (self._scene.rest_length_scale, 0.0), self._scene
         if self._tracker is not None:

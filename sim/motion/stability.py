@@ -36,6 +36,7 @@ problem that is left is solved as a quadratic eigenvalue problem in 1/dt, or in 
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections import deque
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
@@ -45,8 +46,10 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from ..engine.numerics.waves import EFFORTS, SINCE
 from ..engine.tables import Floats, State
 from ..forces.all import TERMS
+from ..forces.muscles import efforts
 from ..forces.reference import Physics, Vectors
 from ..forces.term import Reference
 from ..model.stable_spring import clamp_stiffness
@@ -187,7 +190,10 @@ class StabilityMeter:
 
         The first look is at all of these moments, each later one at the next of them.
         """
+        effort = efforts(self._probe.steer, float(self._probe.clock[0]))
         for k in (self._next,) if self._moments else range(_MOMENTS):
+            # What keys work stays as it is, whatever the clock.
+            self._probe.steer[EFFORTS:SINCE], self._probe.steer[SINCE] = effort, math.inf
             self._probe.clock[0] = k / _MOMENTS * self.system.body.muscles.period
             estimate = yield from self._look_at_probe()
             self._moments[k], self._next = (estimate, self.motion), (k + 1) % _MOMENTS

@@ -22,6 +22,9 @@ from .numbers import (
     bounded,
 )
 
+Keys = Literal["left-right", "up-down"]
+"""What works a motor, a muscle or a force while it is held: Right, and backwards Left; or Up, and Down."""
+
 
 class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):
     """A point mass.
@@ -38,6 +41,8 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
             it where it has a circle.
         force: a constant force on it (a point load), each component within ±1e15 kg px/s²; omitted in files
             if there is none. A held mass passes it on to its support.
+        keys: "left-right" for a force that acts only while Right is held, or the opposite one while Left is;
+            "up-down" the same with Up and Down. Omitted in files if the force always acts.
     """
 
     position: Vector
@@ -47,9 +52,10 @@ class Mass(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True
     solid: bool | msgspec.UnsetType = msgspec.UNSET
     rail: Vector | msgspec.UnsetType = msgspec.UNSET
     force: tuple[ForceComponent, ForceComponent] | msgspec.UnsetType = msgspec.UNSET
+    keys: Keys | msgspec.UnsetType = msgspec.UNSET
 
 
-Wave = Literal["sine", "pulse"]
+Wave = Literal["sine", "pulse", "steady"]
 """The waveform of a muscle during a beat; see `Muscle`."""
 
 
@@ -58,17 +64,24 @@ class Muscle(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tr
 
     At the phase p the wave "sine" is sin p, and "pulse" is exp(4 (sin p - 1)): it stays near 0 for most of
     the time, and rises to 1 where the sine does. With b(t) the number of beats until time t, p is 2 pi
-    (per_beat b(t) + phase / 360°).
+    (per_beat b(t) + phase / 360°). The wave "steady" is 1.
+
+    A muscle that keys work has an effort e, which comes to 1 while one key is held, to -1 while the other
+    is, and else to 0, where the muscle rests. It comes there as 1 - exp(-t / 0.05 s). The wave is multiplied
+    by |e|, and runs backwards, with -b(t), where e is below 0; "steady" is multiplied by e.
 
     Attributes:
         phase: 0..360 °, its lead over the beat.
-        wave: its waveform.
+        wave: its waveform; "steady" is only for muscles that keys work.
         per_beat: 1..16, waves per beat.
+        keys: "left-right" for a muscle that works only while Right is held, or backwards while Left is;
+            "up-down" the same with Up and Down. Omitted in files if it always works.
     """
 
     phase: Annotated[float, bounded(0.0, 360.0, "°", "Phase of a muscle")] = 0.0
     wave: Wave = "sine"
     per_beat: Annotated[int, Meta(ge=1, le=16, description="Waves of a muscle in a beat")] = 1
+    keys: Keys | msgspec.UnsetType = msgspec.UNSET
 
 
 class SpringMuscle(Muscle, frozen=True, kw_only=True):
@@ -107,7 +120,12 @@ class Motor(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=Tru
     speed: Annotated[float, bounded(-1e5, 1e5, "°/s", "Speed of a motor")] = 180.0
     torque: Annotated[float, bounded(0.0, 1e18, "kg px²/s²", "Torque of a motor")] = 1e6
     slip: Annotated[float, bounded(1e-3, 1e5, "°/s", "Slip of a motor")] = 20.0
-    keys: Literal["left-right", "up-down"] | msgspec.UnsetType = msgspec.UNSET
+    keys: Keys | msgspec.UnsetType = msgspec.UNSET
+
+
+def constant_force(mass: Mass) -> tuple[float, float] | None:
+    """Return the force that always acts on a mass, kg px/s², or None if there is none."""
+    return mass.force if mass.force and not mass.keys else None
 
 
 class LinearSpring(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True, gc=False):

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal
 import msgspec
 from msgspec import Meta
 
-from .columns import has_any
+from .columns import has_any, is_set_in_any
 from .lesson import Lesson
 from .numbers import Angle, Coordinate, Force, Index, Name, Speed, Vector, bounded, of_python
 from .parts import Anchor, AngularSpring, Beat, LinearSpring, Mass
@@ -244,7 +244,22 @@ def is_windy(scene: Scene) -> bool:
 
 def is_loaded(scene: Scene) -> bool:
     """Return whether a constant force acts on any mass."""
-    return any(mass.force for mass in scene.masses)
+    return any(mass.force and not mass.keys for mass in scene.masses)
+
+
+def is_pushed(scene: Scene) -> bool:
+    """Return whether keys work a force on any mass."""
+    return is_set_in_any(scene.masses, "keys")
+
+
+def is_steered(scene: Scene) -> bool:
+    """Return whether keys work any motor, muscle or force of a scene."""
+    springs, joints = scene.linear_springs, scene.angular_springs
+    works = [(joints, "motor"), *(((springs, "muscle"), (joints, "muscle")) if scene.beat else ())]
+    return is_pushed(scene) or any(
+        is_set_in_any(parts, field) and any(has.keys for part in parts if (has := getattr(part, field)))
+        for parts, field in works
+    )
 
 
 def is_muscular(scene: Scene) -> bool:

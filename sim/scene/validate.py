@@ -15,6 +15,7 @@ from typing import get_type_hints
 import msgspec
 
 from ..errors import SceneError
+from .columns import is_set_in_any
 from .lesson import StepRun, texts_of
 from .numbers import MAX_MASSES, MAX_SPRINGS, annotation_of, of_python
 from .parts import AngularSpring
@@ -137,7 +138,10 @@ def _problems(scene: Scene) -> Iterator[str]:
     yield from _linear_problems(scene, n)
     yield from _angular_problems(scene, springs)
     yield from _limit_problems(scene)
+    yield from _muscle_problems(scene)
     for i, mass in enumerate(scene.masses):
+        if mass.keys and not mass.force:
+            yield f"masses[{i}].keys: there is no force that they could work"
         if mass.rail and not any(mass.rail):
             yield f"masses[{i}].rail: a direction of (0, 0) points nowhere"
     for w, wall in enumerate(scene.walls):
@@ -320,6 +324,14 @@ def _filling_problems(scene: Scene, n: int) -> Iterator[str]:
             yield f"{where}[{twice}]: mass {loop[twice]} is in the loop already"
         elif filling.area is None and loop_area([scene.masses[i].position for i in loop]) < 1e-6:
             yield f"{where}: the loop has no area, so its filling has none either"
+
+
+def _muscle_problems(scene: Scene) -> Iterator[str]:
+    for field in ("linear_springs", "angular_springs"):
+        parts = getattr(scene, field)
+        for i, part in enumerate(parts if is_set_in_any(parts, "muscle") else ()):
+            if part.muscle and part.muscle.wave == "steady" and not part.muscle.keys:
+                yield f'{field}[{i}].muscle.wave: "steady" needs keys, by which the muscle works'
 
 
 def _anchor_problems(scene: Scene, n: int) -> Iterator[str]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from sim import Integrator, Scene, Simulation
 from sim.motion.stability import largest_step
+from sim.scene.parts import constant_force
 from sim.solve.registry import METHODS
 
 from .axes import Axis, extent, in_cell
@@ -157,11 +158,11 @@ class ReferenceMotion:
             self._positions[k], self._velocities[k] = simulation.positions, simulation.velocities
         self.known = bool(np.isfinite(self._positions).all())
         self._mass = np.array([m.mass for m in scene.masses])
-        forces = [mass.force or (0.0, 0.0) for mass in scene.masses]
+        forces = [constant_force(mass) or (0.0, 0.0) for mass in scene.masses]
         self._forces = np.outer(self._mass, scene.gravity) + forces
         energy = self._energy(self._positions, self._velocities)
         weight = sum(m.mass for m in scene.masses) * math.hypot(*scene.gravity)
-        weight += sum(math.hypot(*m.force) for m in scene.masses if m.force)
+        weight += sum(math.hypot(*force) for m in scene.masses if (force := constant_force(m)))
         self.budget = start.kinetic + start.linear + start.angular + weight * self.extent
         self.ceiling = float(np.nanmax(energy)) + self.budget
 

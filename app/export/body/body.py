@@ -18,7 +18,7 @@ from sim.forces.touch.walls import WallRow
 from sim.model.stable_spring import clamp_stiffness
 from sim.model.system import System, build_system, joint_stiffness
 from sim.motion.driving import offset, velocity
-from sim.scene.parts import Beat, JointMuscle, SpringMuscle
+from sim.scene.parts import Beat, JointMuscle, SpringMuscle, constant_force
 from sim.scene.types import Circle, is_muscular
 
 Floats = NDArray[np.float64]
@@ -141,7 +141,7 @@ class Body:
             velocities=velocities,
             mass=np.array([m.mass for m in scene.masses], float),
             radius=np.array([m.radius for m in scene.masses], float),
-            loads={i: mass.force for i, mass in enumerate(scene.masses) if mass.force},
+            loads={i: force for i, force in enumerate(map(constant_force, scene.masses)) if force},
             held=held,
             circles=circles,
             ends=ends,

@@ -351,7 +351,9 @@ def unknown_forces(scene: Scene) -> list[str]:
     acting = (term for term in TERMS if term.acts(scene))
     names = [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
     solid = is_set_in_any(scene.masses, "solid")
+    muscles = [part.muscle for part in (*scene.linear_springs, *scene.angular_springs) if part.muscle]
     new = {
+        "muscles that keys work": bool(scene.beat) and any(muscle.keys for muscle in muscles),
         "solid masses": solid,
         "belts": any(wall.speed for wall in scene.walls),
         "static friction of its own": any(wall.static_friction for wall in scene.walls),

@@ -16,8 +16,7 @@ from app.classroom.live import SharedView
 from app.classroom.plotted import Plotted
 from sim.compiling.compiler import Compiler
 from sim.errors import InputError, SettingError
-from sim.forces.motors import is_steered
-from sim.scene.types import shown_name
+from sim.scene.types import is_steered, shown_name
 from sim.settings import CHOICES, Choice, Setting, setting_of
 
 from ...export.live.data import body_data

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from sim.forces.motors import is_steered
 from sim.scene.types import shown_name
 
 from ...session.framing import Bounds
@@ -57,7 +56,7 @@ def page_state(
         offer=session.offer_back,
         future=session.abandoned_future is not None,
         follow=session.follow,
-        arrows=(session.scene.arrow_keys is not None or is_steered(session.scene))
+        arrows=(session.scene.arrow_keys is not None or session.simulation.steered)
         and "keys" in page.controls,
         broken=broken,
         controls=tuple(name for name in CONTROLS if name in page.controls),

@@ -6,7 +6,7 @@ import math
 
 from ...engine.calls import accelerate
 from ...engine.jit import FAST, kernel
-from ...engine.numerics.waves import PULSE, RATE, SHARPNESS
+from ...engine.numerics.waves import KIND, PULSE, RATE, RISE, SHARPNESS, STEER
 from ...forces.all import add_power, forces
 from ...forces.drive import drive_to, hand_speed, lead_of
 from ...forces.joints import TUTORIAL, joint_power_of_keys, power_of_law
@@ -119,8 +119,9 @@ def _parts_for_muscles(body, h):
     quickest, muscles = 0.0, body.muscles
     for rows in (muscles.stretch, muscles.turn):
         for i in range(rows.shape[0]):
-            sharper = 1.0 + SHARPNESS if rows[i, PULSE] > 0.0 else 1.0
-            quickest = max(quickest, abs(rows[i, RATE]) * sharper)
+            sharper = 1.0 + SHARPNESS if rows[i, KIND] == PULSE else 1.0
+            rise = 1.0 / RISE if rows[i, STEER] >= 0.0 else 0.0
+            quickest = max(quickest, abs(rows[i, RATE]) * sharper + rise)
     return 1 + int(min(quickest * h, _MAX_PARTS))
 
 
