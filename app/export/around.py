@@ -17,6 +17,9 @@ from sim.forces.plasticity import leaking
 from sim.scene.surroundings import STILL_AIR
 
 from ..stage.looks import (
+    ARC_BEYOND,
+    ARC_HEAD,
+    ARC_OPEN,
     CREST,
     DENSE,
     GRAIN,
@@ -31,8 +34,9 @@ from ..stage.looks import (
     STREAK,
     STREAKS,
     STROKE,
+    WORKS,
 )
-from ..stage.plan import belts
+from ..stage.plan import Picture, belts
 from ..stage.sketch import Floats, Sketch
 from .window import Window
 
@@ -152,6 +156,40 @@ def load_arrows(sketch: Sketch, positions: Floats, window: Window) -> tuple[Floa
     tip, base = begin + arrows, begin + arrows - size * along
     side = SIDE / HEAD * size * across
     return np.stack((begin, base), 1), np.stack((base + side, tip, base - side), 1)
+
+
+def driven_arrows(sketch: Sketch, picture: Picture, window: Window) -> tuple[list[Floats], list[Floats]]:
+    """Strokes (k, 2) of what motors and keys do: of what works now, and of what rests. Each motor has an arc
+    about the mass of its joint, with a head where it turns to, and each force that keys work an arrow."""
+    works: list[Floats] = []
+    rests: list[Floats] = []
+    world = sketch.mapping.to_world(picture.positions)[:, :2]
+    places = window.pixels(world) @ (1.0, 1.0j)
+    efforts = (*(picture.efforts or (0.0, 0.0)), 1.0)
+
+    def add(effort: float, line: Floats, heading: complex, size: float) -> None:
+        back = -size * heading
+        ends = line[-1] + back * np.array((1.0 + 1j * SIDE / HEAD, 0.0, 1.0 - 1j * SIDE / HEAD))
+        for stroke in (line, ends):
+            (works if abs(effort) > WORKS else rests).append(np.column_stack((stroke.real, stroke.imag)))
+
+    for joint, turn, keys in sketch.motors.tolist():
+        j, effort = int(joint), efforts[int(keys)]
+        mass, ends = sketch.joint_mass[j], sketch.springs[sketch.joint_b[j]]
+        far = ends[1] if sketch.joint_sense[j] > 0 else ends[0]
+        way = -sketch.mapping.flip * turn * (-1.0 if effort < -WORKS else 1.0)
+        radius = sketch.radius[mass] * window.step + ARC_BEYOND * window.unit
+        along = np.angle(places[far] - places[mass])
+        angles = along + way * np.linspace(0.5 * ARC_OPEN, math.tau - 0.5 * ARC_OPEN, 48)
+        size = ARC_HEAD * window.unit
+        heading = np.exp(1j * (angles[-1] + way * (0.5 * math.pi - 0.5 * size / radius)))
+        add(effort, places[mass] + radius * np.exp(1j * angles), heading, size)
+    for mass, x, y, keys in sketch.pushes.tolist():
+        effort = efforts[int(keys)]
+        arrow = window.step * complex(x, -y) * (-1.0 if effort < -WORKS else 1.0)
+        size = min(HEAD * window.unit, 0.6 * abs(arrow))
+        add(effort, places[int(mass)] + arrow * np.array((0.0, 1.0)), arrow / abs(arrow), size)
+    return works, rests
 
 
 def skin(sketch: Sketch, positions: Floats, broken: tuple[int, ...], window: Window) -> tuple[Floats, float]:

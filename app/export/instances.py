@@ -120,7 +120,7 @@ def muscles(sketch: Sketch, picture: Picture, of_joints: bool) -> Instances:
     rows = sketch.muscles[sketch.muscles[:, 0] == of_joints]
     part = rows[:, 1].astype(np.int64)
     whole = _whole(len(sketch.springs), broken_of(picture.damage))
-    breath = (1.0 if of_joints else -1.0) * np.sign(rows[:, 2]) * _waves(sketch, rows, picture.time)
+    breath = (1.0 if of_joints else -1.0) * np.sign(rows[:, 2]) * _waves(sketch, rows, picture)
     if of_joints:
         tip = sketch.joint_mass[part]
         places, angles = to_world(sketch, picture.positions)[tip], np.zeros(len(part))
@@ -137,7 +137,7 @@ def _swings(sketch: Sketch, picture: Picture) -> tuple[Floats, Floats]:
     """(S,) by which factor muscles stretch rest lengths, and (J,) degrees by which they turn rest angles."""
     rows = sketch.muscles
     swing, of_joints, part = (
-        rows[:, 2] * _waves(sketch, rows, picture.time),
+        rows[:, 2] * _waves(sketch, rows, picture),
         rows[:, 0] == 1.0,
         rows[:, 1].astype(np.int64),
     )
@@ -147,11 +147,14 @@ def _swings(sketch: Sketch, picture: Picture) -> tuple[Floats, Floats]:
     return stretch, turn
 
 
-def _waves(sketch: Sketch, rows: Floats, time: float) -> Floats:
-    """(k,) the wave of each muscle at a time."""
+def _waves(sketch: Sketch, rows: Floats, picture: Picture) -> Floats:
+    """(k,) the wave of each muscle; of one that keys work, with the effort of these."""
     frequency, phase = sketch.beat
-    size = np.sin(math.tau * (rows[:, 5] * (frequency * time + phase / 360.0) + rows[:, 3] / 360.0))
-    return np.where(rows[:, 4] == 1.0, np.exp(SHARPNESS * (size - 1.0)), size)
+    efforts = np.array((*(picture.efforts or (0.0, 0.0)), 1.0))[rows[:, 6].astype(np.int64)]
+    beats = np.copysign(frequency * picture.time, efforts) + phase / 360.0
+    size = np.sin(math.tau * (rows[:, 5] * beats + rows[:, 3] / 360.0))
+    size = np.where(rows[:, 4] == 1.0, np.exp(SHARPNESS * (size - 1.0)), size)
+    return np.where(rows[:, 4] == 2.0, efforts, np.abs(efforts) * size)
 
 
 def yielded(sketch: Sketch, picture: Picture) -> Instances:

@@ -17,7 +17,7 @@ from PIL import Image
 from sim import Scene
 
 from ..stage.colors import palette
-from ..stage.looks import ARROW, LAYERS
+from ..stage.looks import ARROW, LAYERS, RESTS
 from ..stage.plan import Picture, broken_of
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
@@ -107,6 +107,10 @@ class Painter:
             shafts, heads = around.load_arrows(sketch, picture.positions, self.window)
             pen.lines(list(shafts), self._own.force, ARROW)
             pen.fill(list(heads), self._own.force)
+        if len(sketch.motors) or len(sketch.pushes):
+            works, rests = around.driven_arrows(sketch, picture, self.window)
+            pen.lines(rests, self._own.force, ARROW, RESTS, round_ends=True)
+            pen.lines(works, self._own.force, ARROW, round_ends=True)
         return pen.image()
 
     def _lay(self, pen: _Pen, name: str, lines: list[Floats], width: float = 0.0) -> None:

@@ -24,7 +24,7 @@ import {
   THINNEST, WEDGE, WIDEST, YIELDED,
 } from "./looks.js";
 import { UNHARMED } from "./plan.js";
-import { beatsAt, countMuscles, muscleAt, swings, waveAt } from "./swing.js";
+import { countMuscles, muscleAt, swings, waveIn } from "./swing.js";
 
 // Depths: what is nearer is drawn over the rest.
 const Z = { halo: -0.17, muscle: -0.16, pin: -0.15, spring: -0.12, yielded: -0.1, wedge: -0.06, ring: 0.0, rim: 0.02, mass: 0.03, shine: 0.04, ghost: 0.06 };
@@ -171,7 +171,7 @@ export function springs(body) {
   const count = plan.restLength.length;
   const result = instances(count);
   const strain = new Float64Array(count);
-  const { stretch } = swings(plan, frame.time);
+  const { stretch } = swings(plan, frame);
   const [hanging, buffers] = [new Set(plan.ropes), new Set(plan.buffers)];
   for (let i = 0; i < count; i++) {
     const line = lineOf(plan, world, i);
@@ -191,7 +191,7 @@ export function ropes(body) {
   const { plan, frame, world, damage } = body;
   const result = instances(plan.ropes.length * ROPE_PIECES);
   const strain = new Float64Array(plan.ropes.length);
-  const { stretch } = swings(plan, frame.time);
+  const { stretch } = swings(plan, frame);
   plan.ropes.forEach((spring, k) => {
     const { x, y, angle, length } = lineOf(plan, world, spring);
     const rest = restOf(body, spring, stretch);
@@ -217,14 +217,13 @@ export function ropes(body) {
  * @param {boolean} ofJoints
  */
 export function muscles({ plan, frame, world, damage, still = false }, ofJoints) {
-  const beats = beatsAt(plan, frame.time);
   const all = Array.from({ length: countMuscles(plan) }, (_, k) => muscleAt(plan, k));
   const some = all.filter(({ joint }) => joint === ofJoints);
   const result = instances(some.length);
   const breath = new Float64Array(some.length);
   some.forEach((muscle, k) => {
     const { part, amplitude } = muscle;
-    breath[k] = still ? 0 : (ofJoints ? 1 : -1) * Math.sign(amplitude) * waveAt(muscle, beats);
+    breath[k] = still ? 0 : (ofJoints ? 1 : -1) * Math.sign(amplitude) * waveIn(plan, frame, muscle);
     const grown = 1 + BREATH * breath[k];
     if (ofJoints) {
       const tip = plan.joints[4 * part + 2];
@@ -255,7 +254,7 @@ export function yielded({ plan, world, damage }) {
 /** Wedges from the rest angle to the present one, each of some thin triangles. @param {Body} body */
 export function wedges({ plan, frame, world, damage }) {
   const { slices, joints, springs } = plan;
-  const off = deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn);
+  const off = deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame).turn);
   const result = instances(off.length * slices);
   for (let j = 0; j < off.length; j++) {
     const [spring, tip, sense] = [joints[4 * j + 1], joints[4 * j + 2], joints[4 * j + 3]];

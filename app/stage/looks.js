@@ -18,6 +18,11 @@ export const LAYERS = {
   "wind": {"color": "text", "opacity": 0.35, "width": 1.4, "round": true},
 };
 export const ARROW = 2.4;
+export const RESTS = 0.4;
+export const WORKS = 0.05;
+export const ARC_BEYOND = 7.0;
+export const ARC_OPEN = 1.3;
+export const ARC_HEAD = 9.0;
 export const HEAD = 10.0;
 export const SIDE = 4.2;
 export const DENSE = 5.0;

@@ -165,6 +165,21 @@ LAYERS = {
 ARROW = 2.4
 """Width of an arrow's shaft, pixels."""
 
+RESTS = 0.4
+"""Opacity of the arrow of a motor or a force while no key works it."""
+
+WORKS = 0.05
+"""Effort of keys from which on what they work is drawn as working."""
+
+ARC_BEYOND = 7.0
+"""Pixels between a mass and the arc of a motor about it."""
+
+ARC_OPEN = 1.3
+"""Radians that the arc leaves open, at the second spring of its joint."""
+
+ARC_HEAD = 9.0
+"""Length of its head, pixels."""
+
 HEAD = 10.0
 """Largest length of the head of an arrow, pixels."""
 

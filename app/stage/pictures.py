@@ -130,6 +130,8 @@ class Pictures:
         grown = abs(picture.rest_length_scale / drawn.rest_length_scale - 1.0)
         if exactly:
             return picture.time == drawn.time and not (moved or turned or grown)
+        if picture.efforts != drawn.efforts:
+            return False
         return bool(moved < STILL * self._pixel and turned < 0.5 and grown < 1e-3)
 
     def draw(self, picture: Picture, now: float, exactly: bool = False) -> bool:

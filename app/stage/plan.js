@@ -44,17 +44,18 @@ export const UNHARMED = readDamage(new Float32Array([1, -1]));
  * @property {number} angleShift degrees added to all rest angles
  * @property {Float32Array} positions px, x and y of each mass
  * @property {Float32Array | null} ghost px, positions of the ghost
+ * @property {Float32Array} [efforts] of the keys that work muscles, motors and forces, see `swing.js`
  * @property {Frame | null} [second] a second body
  */
 
 /** @param {Float32Array} data @returns {Frame} */
 export function readFrame(data) {
-  const { generation, time, timeRest, lengthScale, angleShift, positions, ghost, secondMoment, secondPositions } = unpack("frame", data);
+  const { generation, time, timeRest, lengthScale, angleShift, positions, ghost, secondMoment, secondPositions, efforts, secondEfforts } = unpack("frame", data);
   // A time is the sum of two numbers, since single precision is too coarse for long times.
-  const frame = { generation, time: time + timeRest, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null };
+  const frame = { generation, time: time + timeRest, lengthScale, angleShift, positions, ghost: ghost.length ? ghost : null, efforts };
   if (!secondMoment.length) return frame;
   const [second, scale, shift, rest = 0] = secondMoment;
-  return { ...frame, second: { generation, time: second + rest, lengthScale: scale, angleShift: shift, positions: secondPositions, ghost: null } };
+  return { ...frame, second: { generation, time: second + rest, lengthScale: scale, angleShift: shift, positions: secondPositions, ghost: null, efforts: secondEfforts } };
 }
 
 /**

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from sim import Moment, Scene, Simulation
 from sim.forces.fillings import FillingRow
+from sim.forces.muscles import efforts
 from sim.forces.touch.walls import WallRow
 from sim.scene.columns import column
 from sim.scene.surroundings import STILL_AIR
@@ -46,6 +47,8 @@ class Picture:
     Attributes:
         positions: (n, 2) px.
         time: simulated seconds.
+        efforts: of Left and Right, and of Up and Down, from -1 to 1, by which they work muscles, motors and
+            forces; empty where none was held.
         rest_length_scale: factor of the rest lengths.
         rest_angle_shift: degrees added to all rest angles.
         ghost: (n, 2) px, positions of a ghost, which has the same plan, or None.
@@ -62,6 +65,7 @@ class Picture:
     damage: Damage | None = None
     ghost_broken: tuple[int, ...] = ()
     second: Picture | None = None
+    efforts: tuple[float, ...] = ()
 
     @staticmethod
     def of(
@@ -76,6 +80,7 @@ class Picture:
             ghost,
             body.damage,
             broken_of(ghost_damage),
+            efforts=tuple(efforts(np.array(body.steer), body.time).tolist()) if body.steer else (),
         )
 
     @staticmethod
@@ -150,6 +155,8 @@ def encode_plan(generation: int, sketch: Sketch, rest_angles: Floats) -> NDArray
         muscles=(*sketch.beat, *sketch.muscles.ravel()) if muscles else (),
         muscle_colors=muscle_colors(sketch) if muscles else (),
         resists=(sketch.medium, sketch.ground) if sketch.medium or sketch.ground else (),
+        motors=sketch.motors,
+        pushes=sketch.pushes,
     )
 
 
@@ -173,6 +180,8 @@ def encode_frame(generation: int, picture: Picture) -> NDArray[np.float32]:
         ghost=picture.ghost if picture.ghost is not None else (),
         second_moment=moment(second) if second is not None else (),
         second_positions=second.positions if second is not None else (),
+        efforts=picture.efforts,
+        second_efforts=second.efforts if second is not None else (),
     )
 
 

@@ -14,10 +14,12 @@ from numpy.typing import NDArray
 
 from sim import Scene
 from sim.forces.environment import is_surrounded, new_environment
+from sim.forces.motors import has_motors
+from sim.forces.muscles import steer_of
 from sim.forces.one_sided import SIDES
 from sim.forces.rails import has_rails
 from sim.scene.columns import column, ends, has_any
-from sim.scene.types import is_loaded
+from sim.scene.types import is_loaded, is_pushed
 
 from .colors import Palette, Rgb, palette, plain, sent
 from .shapes import COILS
@@ -116,13 +118,16 @@ class Sketch:
         environment: the surroundings of the body, with indices of masses; None without any.
         contact: px, the distance at which contact begins; 0 without contact.
         medium, ground: the body is in a medium; it lies on the ground.
-        muscles: (k, 6) for each muscle: 1 for a joint, 0 for a spring; index of that; amplitude (degrees for
-            a joint); phase (degrees); 1 for a pulse, 0 for a sine; waves in a beat.
+        muscles: (k, 7) for each muscle: 1 for a joint, 0 for a spring; index of that; amplitude (degrees for
+            a joint); phase (degrees); 0 for a sine, 1 for a pulse, 2 for a steady one; waves in a beat; and
+            which keys work it: 0 Left and Right, 1 Up and Down, -1 none.
         beat: frequency (Hz) and phase (degrees) of the beat.
         rails: (k, 4) for each mass on a rail: where it starts, px, and a unit vector across the rail.
         ropes, buffers: indices of the springs that only pull, and only push.
         stops: (k, 2) for each joint that acts on one side: its index, and 1 above or -1 below the rest angle.
         loads: (k, 3) for each constant force: index of the mass, and the arrow in the world.
+        pushes: (k, 4) the same of each force that keys work, and which keys.
+        motors: (k, 3) for each motor: index of the joint, the sign of its speed, and which keys, or -1.
     """
 
     def __init__(
@@ -162,7 +167,8 @@ class Sketch:
             )
         self.contact = scene.contact.distance if scene.contact else 0.0
         self.medium, self.ground = bool(scene.medium), bool(scene.ground)
-        self.loads = _load_arrows(scene, mapping)
+        self.loads, self.pushes = _load_arrows(scene, mapping)
+        self.motors = _motors(scene)
         self.ropes, self.buffers = (
             np.array([s for s, spring in enumerate(scene.linear_springs) if spring.only == side], np.int64)
             for side in ("pull", "push")
@@ -239,26 +245,44 @@ def _muscles(scene: Scene) -> Floats:
             part,
             each.muscle.amplitude,
             each.muscle.phase,
-            each.muscle.wave == "pulse",
+            ("sine", "pulse", "steady").index(each.muscle.wave),
             each.muscle.per_beat,
+            steer_of(each.muscle.keys),
         )
         for joint, parts in enumerate((scene.linear_springs, scene.angular_springs))
         for part, each in enumerate(parts)
         if scene.beat and each.muscle
     ]
-    return np.array(rows, float).reshape(-1, 6)
+    return np.array(rows, float).reshape(-1, 7)
 
 
-def _load_arrows(scene: Scene, mapping: Mapping) -> Floats:
-    """See `Sketch`: lengths in proportion to the forces, but none too short to be seen."""
-    if not is_loaded(scene):
+def _motors(scene: Scene) -> Floats:
+    """See `Sketch`."""
+    if not has_motors(scene):
         return np.zeros((0, 3))
-    loaded = [(i, *mass.force) for i, mass in enumerate(scene.masses) if mass.force and any(mass.force)]
-    rows = np.array(loaded, float).reshape(-1, 3)
+    rows = [
+        (j, np.sign(motor.speed), steer_of(motor.keys))
+        for j, joint in enumerate(scene.angular_springs)
+        if (motor := joint.motor)
+    ]
+    return np.array(rows, float)
+
+
+def _load_arrows(scene: Scene, mapping: Mapping) -> tuple[Floats, Floats]:
+    """See `Sketch.loads` and `pushes`: lengths in proportion to the forces, but none too short to be seen."""
+    if not is_loaded(scene) and not is_pushed(scene):
+        return np.zeros((0, 3)), np.zeros((0, 4))
+    loaded = [
+        (i, *mass.force, steer_of(mass.keys))
+        for i, mass in enumerate(scene.masses)
+        if mass.force and any(mass.force)
+    ]
+    rows = np.array(loaded, float).reshape(-1, 4)
     sizes = np.hypot(rows[:, 1], rows[:, 2])
     lengths = LONGEST_LOAD * np.maximum(sizes / sizes.max(initial=0.0), SHORTEST_LOAD)
-    rows[:, 1:] *= (lengths / sizes)[:, None] * (1.0, mapping.flip)
-    return rows
+    rows[:, 1:3] *= (lengths / sizes)[:, None] * (1.0, mapping.flip)
+    pushed = rows[:, 3] >= 0.0
+    return rows[~pushed, :3], rows[pushed]
 
 
 def _full_strains(scene: Scene) -> Floats:

@@ -9,7 +9,7 @@
 export const LAYOUTS = {
   readings: [["opening", "time"], "values"],
   arrows: [["generation", "time", "step", "jointStep"], "least", "held", "forces", "velocities", "torques"],
-  plan: [["generation", "scale", "x", "y", "flip", "many?", "bars?", "slices", "driven"], "radius", "springs", "restLength", "thickness", "fullStrain", "joints", "restAngle", "pinned", "massColors", "strainColors", "turnColors", "inkColors", "walls", "belts", "rails", "fillings", "wind", ["contact"], "ropes", "buffers", "stops", "loads", "muscles", "muscleColors", ["medium?", "ground?"]],
-  frame: [["generation", "time", "lengthScale", "angleShift", "timeRest"], "positions", "ghost", "secondMoment", "secondPositions"],
+  plan: [["generation", "scale", "x", "y", "flip", "many?", "bars?", "slices", "driven"], "radius", "springs", "restLength", "thickness", "fullStrain", "joints", "restAngle", "pinned", "massColors", "strainColors", "turnColors", "inkColors", "walls", "belts", "rails", "fillings", "wind", ["contact"], "ropes", "buffers", "stops", "loads", "muscles", "muscleColors", ["medium?", "ground?"], "motors", "pushes"],
+  frame: [["generation", "time", "lengthScale", "angleShift", "timeRest"], "positions", "ghost", "secondMoment", "secondPositions", "efforts", "secondEfforts"],
   damage: [["generation"], "broken", "setLength", "setAngle", "ghostBroken", "secondBroken", "secondSetLength", "secondSetAngle"],
 };

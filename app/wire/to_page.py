@@ -135,6 +135,11 @@ class Plan(Numbers, frozen=True, kw_only=True):
                 "ground?": "whether it lies on the ground, seen from above",
             },
         ),
+        Section(
+            "motors",
+            "of each its joint, the sign of its speed, its keys: 0 Left and Right, 1 Up and Down, -1 none",
+        ),
+        Section("pushes", "of each force that keys work its mass, its arrow, in the world, and its keys"),
     )
 
 
@@ -165,6 +170,8 @@ class Frame(Numbers, frozen=True, kw_only=True):
         Section("ghost", "px, of a second body with the same plan"),
         Section("second_moment", "of a second body with a plan of its own: " + ", ".join(_MOMENT)),
         Section("second_positions", "px, x and y of each of its masses"),
+        Section("efforts", "of Left and Right, of Up and Down: from -1 to 1; nothing where none was held"),
+        Section("second_efforts", "as `efforts`, of a second body with a plan of its own"),
     )
 
 

@@ -57,7 +57,7 @@ export type Circle = { radius: number; frequency: number; ramp: number };
 /** A joint's muscle during a run. */
 export type RunMuscle = { joint: number; muscle: JointMuscle | null };
 /** The muscle of an angular spring: amplitude times the wave is added to its rest angle. */
-export type JointMuscle = { phase: number; wave: "pulse" | "sine"; per_beat: number; amplitude: number };
+export type JointMuscle = { phase: number; wave: "pulse" | "sine" | "steady"; per_beat: number; keys: "left-right" | "up-down"; amplitude: number };
 /** A goal to be reached: a reading from `low` to `high`, for `seconds` without interruption. */
 export type Goal = { quantity: string; of: "period" | "value"; low: number | null; high: number | null; seconds: number };
 /** A value read from a run. */
@@ -131,7 +131,7 @@ export type Move = { do: "move"; x: number; y: number; rest?: boolean; under?: n
 /** Change phase and amplitude of the selected muscles. */
 export type MoveMuscles = { do: "moveMuscles"; later?: number; stretch?: number; turn?: number; keys?: boolean };
 /** Change the waveform or the waves per beat of the selected muscles, or spread their phases. */
-export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | null; per_beat?: number | null; spread?: boolean };
+export type ShapeMuscles = { do: "shapeMuscles"; wave?: "pulse" | "sine" | "steady" | null; per_beat?: number | null; spread?: boolean };
 /** Apply an action to a mass; or to the selection, or else to the mass under the pointer. */
 export type Act = { do: "act"; what: "all" | "copy" | "corners" | "duplicate" | "keep" | "mirror" | "pin" | "remove" | "rest" | "stiffen" | "triangulate"; mass?: number | null; under?: number | null };
 /** A link to the scene, with the present pose or without. */
@@ -358,6 +358,8 @@ export type Layouts = {
     /** a table, from a muscle at its longest to one at its shortest */ muscleColors: Float32Array;
     /** whether the body is in a medium */ medium: boolean;
     /** whether it lies on the ground, seen from above */ ground: boolean;
+    /** of each its joint, the sign of its speed, its keys: 0 Left and Right, 1 Up and Down, -1 none */ motors: Float32Array;
+    /** of each force that keys work its mass, its arrow, in the world, and its keys */ pushes: Float32Array;
   };
   frame: {
     /** of the body */ generation: number;
@@ -369,6 +371,8 @@ export type Layouts = {
     /** px, of a second body with the same plan */ ghost: Float32Array;
     /** of a second body with a plan of its own: time, length_scale, angle_shift, time_rest */ secondMoment: Float32Array;
     /** px, x and y of each of its masses */ secondPositions: Float32Array;
+    /** of Left and Right, of Up and Down: from -1 to 1; nothing where none was held */ efforts: Float32Array;
+    /** as `efforts`, of a second body with a plan of its own */ secondEfforts: Float32Array;
   };
   damage: {
     /** of the body */ generation: number;

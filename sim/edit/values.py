@@ -75,8 +75,10 @@ class Number:
         if self.axis is not None:
             vector: list[Any] = list(getattr(part, self.field) or (0.0, 0.0))
             vector[self.axis] = value
-            # A zero force is unset, so that removing the last force restores a body without any.
-            new = msgspec.UNSET if self.field == "force" and not any(vector) else tuple(vector)
+            if self.field == "force" and not any(vector):
+                # A zero force is unset, so that removing the last force restores a body without any.
+                return msgspec.structs.replace(part, force=msgspec.UNSET, keys=msgspec.UNSET)
+            new = tuple(vector)
         return msgspec.structs.replace(part, **{self.field: new})
 
 
@@ -198,10 +200,21 @@ class Way:
             return max(self.values, key=lambda name: abs(np.dot(self.values[name], value)))
         if self.field == "motor" and value:
             return value.keys or "motor"
+        if self.field == "muscle":
+            return f"steady {value.keys}" if value.wave == "steady" else value.keys or ""
         return next((name for name, each in self.values.items() if value == each), "")
 
 
 _ONLY = "act", "only"
+_BY_KEYS = {
+    "left-right": "with the keys Left and Right",
+    "up-down": "with the keys Up and Down",
+}
+_WORK = {
+    "": "to the beat",
+    **{keys: f"to the beat, {words}" for keys, words in _BY_KEYS.items()},
+    **{f"steady {keys}": f"steadily, {words}" for keys, words in _BY_KEYS.items()},
+}
 WAYS: dict[str, Way] = {
     "touch": Way("masses", "touch", "solid", {"": "as points", "solid": "as balls"}, {"solid": True}),
     "move": Way(
@@ -230,13 +243,25 @@ WAYS: dict[str, Way] = {
         {
             "": "freely",
             "motor": "by a motor",
-            "left-right": "by a motor, with the keys Left and Right",
-            "up-down": "by a motor, with the keys Up and Down",
+            **{keys: f"by a motor, {words}" for keys, words in _BY_KEYS.items()},
         },
         {"motor": Motor(), "left-right": Motor(keys="left-right"), "up-down": Motor(keys="up-down")},
     ),
+    "forces": Way(
+        "masses", "are pushed", "keys", {"": "always", **_BY_KEYS}, {keys: keys for keys in _BY_KEYS}
+    ),
+    "muscles": Way("linear_springs", "work", "muscle", _WORK, {}),
+    "joint muscles": Way("angular_springs", "work", "muscle", _WORK, {}),
 }
-"""How parts can be set to act."""
+"""How parts can be set to act; muscles only where they are."""
+
+
+def acting(scene: Scene, way: Way, parts: Collection[int]) -> Collection[int]:
+    """Return those of some parts that can act in a way: of springs and joints for muscles, those with one."""
+    if way.field != "muscle":
+        return parts
+    every = getattr(scene, way.kind)
+    return [i for i in parts if every[i].muscle]
 
 
 def ways_of(scene: Scene, way: Way, parts: Collection[int]) -> set[str]:
@@ -259,23 +284,36 @@ def set_way(scene: Scene, way: Way, parts: Collection[int], name: str) -> Edit:
         SceneError: a part does not exist.
     """
     if name not in way.words:
-        raise SettingError(f"{name!r} is not one of {', '.join(way.values)}")
+        raise SettingError(f"{name!r} is not one of {', '.join(filter(None, way.words))}")
     scene = of_parts(scene)
     every = getattr(scene, way.kind)
     refuse_missing(parts, len(every), _WORDS[way.kind])
-    value = way.values.get(name, msgspec.UNSET)
-    new = [(i, msgspec.structs.replace(every[i], **{way.field: _like(every[i], way, value)})) for i in parts]
-    verb = way.verb if len(parts) > 1 else {"touch": "touches"}.get(way.verb, f"{way.verb}s")
+    parts = acting(scene, way, parts)
+    new = [(i, msgspec.structs.replace(every[i], **_fields(scene, every[i], way, name))) for i in parts]
+    verb = way.verb if len(parts) > 1 else _SINGULAR.get(way.verb, f"{way.verb}s")
     what = f"{counted(len(parts), _WORDS[way.kind])} {verb} {way.words[name]}"
     return Edit(what, msgspec.structs.replace(scene, **{way.kind: changed(every, new)}))
 
 
-def _like(part: Any, way: Way, value: Any) -> Any:
-    """Return a value for a part, a motor with the speed and torque that the part's motor has."""
-    old = getattr(part, way.field)
+_SINGULAR = {"touch": "touches", "are pushed": "is pushed"}
+_PUSH = 1000.0
+"""Acceleration of a mass by a force that it gets with its keys, px/s², without gravity; with gravity twice
+that. Doubled or halved, no test fails."""
+
+
+def _fields(scene: Scene, part: Any, way: Way, name: str) -> dict[str, Any]:
+    """Return the fields with which a part acts in a way; a motor, a muscle or a force keeps its numbers."""
+    old, value = getattr(part, way.field), way.values.get(name, msgspec.UNSET)
     if way.field == "motor" and old and value:
-        return msgspec.structs.replace(old, keys=value.keys)
-    return value
+        value = msgspec.structs.replace(old, keys=value.keys)
+    if way.field == "muscle":
+        wave = "steady" if name.startswith("steady") else "sine" if old.wave == "steady" else old.wave
+        value = msgspec.structs.replace(old, keys=name.removeprefix("steady ") or msgspec.UNSET, wave=wave)
+    if way.field == "keys" and name and not part.force:
+        force = part.mass * (2.0 * math.hypot(*scene.gravity) or _PUSH)
+        up = -force if scene.view.y_down else force
+        return {"keys": value, "force": (force, 0.0) if name == "left-right" else (0.0, up)}
+    return {way.field: value}
 
 
 def scale_number(

@@ -20,7 +20,7 @@ for await (const line of createInterface({ input: process.stdin })) {
   console.log(
     JSON.stringify({
       ...Object.fromEntries(Object.entries(draw.NODES).map(([name, node]) => [name, node.has?.(body) ?? true ? plain(node.draw(body)) : null])),
-      deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame.time).turn)],
+      deviations: [...draw.deviations(plan, frame.positions, frame.angleShift, damage, swings(plan, frame).turn)],
       sizes: [plan.walls.length, plan.fillings.length, plan.wind.length],
       outlines: {
         ...resisting(plan, on, view),

@@ -19,6 +19,7 @@ from sim.edit.values import (
     WAYS,
     Kind,
     Number,
+    acting,
     middle_of_starts,
     number,
     scale_number,
@@ -154,6 +155,7 @@ class SelectionPanel:
             if known.isdisjoint(_OF_MUSCLES) and not shown.keys().isdisjoint(_OF_MUSCLES):
                 with folder:
                     self._rows += map(self._row, _OF_MUSCLES)
+                    self._ways += [_Way(self._page, *way) for way in _MUSCLE_BOXES]
             for row in self._rows:
                 row.take(shown.get(row.of), is_new)
             for way in self._ways:
@@ -208,7 +210,10 @@ _WAY_BOXES: tuple[tuple[str, str, str], ...] = (
     ("springs", "Springs act", _ONE_SIDED),
     ("joints", "Joints act", _ONE_SIDED),
     ("turn", "Joints turn", "a motor turns the second spring of a joint against the first"),
+    ("forces", "Forces act", "a force on a mass acts always, or while an arrow key is held"),
 )
+_KEYED = "a muscle works always, or while an arrow key is held; one that is steady then stays as it is"
+_MUSCLE_BOXES = ("muscles", "Muscles work", _KEYED), ("joint muscles", "Joint muscles work", _KEYED)
 
 
 class _Way:
@@ -244,7 +249,7 @@ class _Way:
 
     def take(self, scene: Scene, selection: Selection) -> None:
         """Show how the selected parts act."""
-        parts = parts_of(selection, self._way.kind)
+        parts = acting(scene, self._way, parts_of(selection, self._way.kind))
         self._box.visible = bool(parts)
         if parts:
             ways, words = ways_of(scene, self._way, parts), tuple(self._words.values())

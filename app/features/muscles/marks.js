@@ -29,10 +29,9 @@ const POINTS = 48;
 /** @param {number} value */
 const inTurn = (value) => value - Math.floor(value);
 
-/** All muscles of a body. @param {Plan} plan @returns {Mark[]} */
+/** All muscles of a body that follow the beat. @param {Plan} plan @returns {Mark[]} */
 export const marksOf = (plan) =>
-  Array.from({ length: countMuscles(plan) }, (_, k) => {
-    const muscle = muscleAt(plan, k);
+  Array.from({ length: countMuscles(plan) }, (_, k) => muscleAt(plan, k)).filter(({ steady }) => !steady).map((muscle) => {
     // The server's values, which have double precision.
     muscle.phase = Number(muscle.phase.toPrecision(7));
     muscle.amplitude = Number(muscle.amplitude.toPrecision(7));

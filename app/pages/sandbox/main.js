@@ -12,6 +12,7 @@ import { charts, clearPanel, drawPanel } from "../../ui/gui/gui.js";
 import { showHud } from "../../ui/hud.js";
 import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
+import { addKeyMarks } from "../../stage/key_marks.js";
 import { addLoads } from "../../stage/load_marks.js";
 import { beginViser, canDraw, showFault, endLoading, watchGraphics } from "../../ui/viser/loading.js";
 import { addOverlay } from "../../stage/overlay.js";
@@ -68,6 +69,7 @@ whenViser((viser) => {
   const drawEdgeArrow = addEdgeArrow();
   addUnderlay();
   addLoads();
+  addKeyMarks();
   for (const { commands, begin } of FEATURES) {
     provide(commands);
     begin();
