@@ -119,7 +119,7 @@ def fit(
         data: one or more measurements, or their files, see `parse_measurements`; several runs in one file are
             several measurements.
         vary: one to six names of numbers to fit: settings (`sim.set_value`), numbers of parts
-            ("spring0.stiffness", "mass1.mass"), start values of masses ("mass1.vx"), and those of
+            ("spring0.stiffness", "joint0.motor.torque"), start values of masses ("mass1.vx"), and those of
             `residuals.OF_MEASUREMENT`. With "start", the first row is the start; without it, the start is at
             time 0 and as the scene has it.
         match: quantities by column name, as in "mass1.x", "-mass1.y" or "90 - spring0.direction"; None to

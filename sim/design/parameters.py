@@ -16,7 +16,7 @@ from ..motion.quantities import quantity
 from ..scene.types import Pose, Scene
 from ..settings import set_value, setting_of
 
-_PART = re.compile(r"(mass|spring|joint)(\d{1,9})\.([a-z_]+)", re.ASCII)
+_PART = re.compile(r"(mass|spring|joint)(\d{1,9})\.([a-z_]+(?:\.[a-z_]+)?)", re.ASCII)
 _KINDS = {"mass": "masses", "spring": "linear_springs", "joint": "angular_springs"}
 _STARTS = {"x": (0, 0), "y": (0, 1), "vx": (1, 0), "vy": (1, 1)}
 """Start values of a mass: whether it is a velocity, and the axis."""
@@ -70,7 +70,7 @@ class Parameter:
 
 def parameter(name: str, scene: Scene, duration: float) -> Parameter:
     """Return the parameter for a name in `vary`: a setting, see `sim.set_value`; a number of a part, as in
-    "mass1.mass" or "spring0.stiffness"; or a start value of a mass, as in "mass1.vx".
+    "mass1.mass", "spring0.stiffness" or "joint0.motor.torque"; or a start value of a mass, as in "mass1.vx".
 
     Args:
         name: what to vary.
@@ -120,7 +120,8 @@ def _of_part(name: str, scene: Scene, duration: float, of: str, index: int, what
             scale,
             lambda scene, value: with_start(scene, {(index, is_velocity, axis): value}),
         )
-    numbers = {each.field: each for each in NUMBERS if each.kind == _KINDS[of] and each.axis is None}
+    fitted = [each for each in NUMBERS if each.kind == _KINDS[of] and each.axis is None and not each.whole]
+    numbers = {each.field: each for each in fitted}
     numbers.pop("radius", None)
     if what not in numbers:
         also = ["x", "y", "vx", "vy"] if of == "mass" else []

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from msgspec import UNSET
 from msgspec.structs import replace
 
 import sim
@@ -17,11 +18,13 @@ from sim.design.fit import effective_sample_fraction
 from sim.design.measurements import Column, Measurement, parse_measurements
 from sim.design.parameters import Parameter
 from sim.design.residuals import Problem
+from sim.scene.parts import Motor
 from sim.settings import set_value
 from tests.amount import NIGHT, part_of
 from tests.sim.checks import known, refusal
 from tests.sim.indistinguishable import KINDS, bending_that_never_moves, weightless
 from tests.sim.measured import any_case, measure, spring_pendulum, swing
+from tests.sim.test_motors import crank
 
 
 def random(seed: int = 1) -> np.random.Generator:
@@ -431,3 +434,28 @@ def test_places_that_hardly_move_and_one_number_for_springs_that_differ_are_doub
     said = sim.fit(scene, data, ["linear_stiffness", "start", "origin"], {"y": "mass1.y"}, 1.0).sentences
     assert any("y moves by 0.1 px, in a body of " in one and "is the scale right?" in one for one in said)
     assert any(one.startswith("linear_stiffness is that of parts which differ") for one in said)
+
+
+def test_the_torque_of_a_motor_is_found() -> None:
+    """The start is slow, where the whole torque acts, and the end is not, where slip and speed matter."""
+    motor = Motor(speed=720.0, torque=1e5, slip=200.0)
+    data = measure(crank(motor), ["mass2.x", "mass2.y"], 1.0, 0.003, random())
+    found = sim.fit(crank(replace(motor, torque=7e4)), data, ["joint0.motor.torque", "joint0.motor.speed"])
+    torque = found.values["joint0.motor.torque"]
+    assert torque.known and torque.low < 1e5 < torque.high < 1.01 * torque.low
+    assert torque.unit == "kg px²/s²"
+    assert found.values["joint0.motor.speed"].low < 720.0 < found.values["joint0.motor.speed"].high
+    with pytest.raises(sim.InputError, match=r"joint0\.motor\.torque: joint 0 has none"):
+        still = replace(crank(motor).angular_springs[0], motor=UNSET)
+        sim.fit(replace(crank(motor), angular_springs=(still,)), data, ["joint0.motor.torque"])
+
+
+def test_both_frictions_of_a_wall_are_found() -> None:
+    """A block on a belt sticks until static friction gives way, and slips by that of sliding."""
+    scene = sim.load_scene("stick-slip")
+    data = measure(scene, ["mass1.x"], 2.5, 0.003, random())
+    guess = set_value(set_value(scene, "wall_friction", 0.25), "static_friction", 0.7)
+    found = sim.fit(guess, data, ["wall_friction", "static_friction"])
+    for name, truth in (("wall_friction", 0.3), ("static_friction", 0.9)):
+        each = found.values[name]
+        assert each.known and each.low < truth < each.high < 1.02 * each.low, each
