@@ -194,6 +194,26 @@ def test_pictures_are_the_same_every_time_and_of_any_size() -> None:
     assert paint(scene, far, size=(160, 90)).size == (160, 90)
 
 
+def test_a_motor_has_an_arc_that_points_where_it_turns() -> None:
+    """The jib of the crane goes up while Up is held: anticlockwise on the screen."""
+    scene = sim.load_scene("crane")
+    painter = Painter(scene, (400, 400), grid=False)
+    start = Picture.at_start(scene)
+    hub = painter.window.pixels(painter.sketch.mapping.to_world(start.positions)[:, :2])[0]
+
+    def swept(picture: Picture) -> tuple[float, int]:
+        works, rests = around.driven_arrows(painter.sketch, picture, painter.window)
+        angles = np.unwrap(np.angle(((works or rests)[0] - hub) @ (1.0, 1.0j)))
+        return float(angles[-1] - angles[0]), len(works)
+
+    assert swept(start) == (pytest.approx(-math.tau + 1.3), 0)
+    assert swept(replace(start, efforts=(0.0, 1.0))) == (pytest.approx(-math.tau + 1.3), 2)
+    assert swept(replace(start, efforts=(1.0, -1.0))) == (pytest.approx(math.tau - 1.3), 2)
+    assert (
+        np.asarray(painter.paint(start)) != np.asarray(painter.paint(replace(start, efforts=(0.0, 1.0))))
+    ).any()
+
+
 def test_a_broken_spring_is_absent_and_a_ghost_is_drawn() -> None:
     scene = sim.rope(masses=3, length=200.0)
     painter = Painter(scene, (400, 400), grid=False)

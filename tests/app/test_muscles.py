@@ -23,7 +23,7 @@ from sim.edit.muscles import crest, give_muscles
 from sim.forces.muscles import swings
 from sim.scene.parts import JointMuscle, SpringMuscle
 from tests.app.page_script import drawn
-from tests.app.pages import answered
+from tests.app.pages import SessionPage, answered
 from tests.app.test_edits import Page
 
 SOME = Selection(springs=frozenset({1, 2}), joints=frozenset({0}))
@@ -113,8 +113,8 @@ def test_the_waves_go_on_at_another_tempo_and_a_replay_has_the_same_bits() -> No
         parts = after.scene.linear_springs[1], after.scene.angular_springs[0]
         kinds = [part.muscle for part in parts if part.muscle]
         assert before.scene.beat and after.scene.beat and after.scene.beat.frequency == frequency
-        then = swings(before.scene.beat, kinds, before.time)
-        np.testing.assert_allclose(swings(after.scene.beat, kinds, after.time), then, atol=1e-9)
+        then = swings(before.scene.beat, kinds, (), before.time)
+        np.testing.assert_allclose(swings(after.scene.beat, kinds, (), after.time), then, atol=1e-9)
         page.frames(20)
     assert len(session.versions) == 1
     record = log.decode_log(answered(session, session.log_file), "log")
@@ -169,23 +169,23 @@ def test_undo_and_redo_of_a_tempo_let_the_waves_go_on() -> None:
 
 
 # ------------------------------------------------------------------------- drawing
-def moved(time: float) -> tuple[sim.Scene, Picture]:
-    scene, pulse = worm(), SpringMuscle(amplitude=-0.3, wave="pulse", per_beat=3, phase=10.0)
-    scene = msgspec.structs.replace(
-        scene,
-        linear_springs=(
-            *scene.linear_springs[:2],
-            msgspec.structs.replace(scene.linear_springs[2], muscle=pulse),
-            *scene.linear_springs[3:],
-        ),
-        bodies=(),
+def moved(time: float, *efforts: float) -> tuple[sim.Scene, Picture]:
+    scene = worm()
+    others = (
+        SpringMuscle(amplitude=-0.3, wave="pulse", per_beat=3, phase=10.0),
+        SpringMuscle(amplitude=0.3, wave="pulse", phase=80.0, keys="left-right"),
+        SpringMuscle(amplitude=0.2, wave="steady", keys="up-down"),
     )
-    return scene, replace(Picture.at_start(scene), time=time)
+    springs = list(scene.linear_springs)
+    for k, muscle in enumerate(others, 2):
+        springs[k] = msgspec.structs.replace(springs[k], muscle=muscle)
+    scene = msgspec.structs.replace(scene, linear_springs=tuple(springs), bodies=())
+    return scene, replace(Picture.at_start(scene), time=time, efforts=efforts)
 
 
-@pytest.mark.parametrize("time", [0.0, 0.21, 7.7])
-def test_pictures_have_muscles_where_the_page_has_them(time: float) -> None:
-    scene, picture = moved(time)
+@pytest.mark.parametrize("moment", [(0.0,), (0.21, 0.7, -0.4), (7.7, -1.0, 0.0)])
+def test_pictures_have_muscles_where_the_page_has_them(moment: tuple[float, ...]) -> None:
+    scene, picture = moved(*moment)
     nodes, sketch = drawn(scene, picture), Sketch(scene, palette(scene.view.colors, dark=False))
     rest = np.array([joint.rest_angle for joint in scene.angular_springs])
     for kind, parts in (
@@ -198,6 +198,27 @@ def test_pictures_have_muscles_where_the_page_has_them(time: float) -> None:
         np.testing.assert_allclose(node["scales"][:, :2], np.c_[parts.lengths, parts.widths], rtol=1e-4)
         assert np.abs(node["colors"] - parts.colors).max() <= 12.0  # a shade of the table beside it at most
     np.testing.assert_allclose(nodes["deviations"], instances.deviations(sketch, picture, rest), atol=1e-3)
+
+
+def test_a_log_repeats_what_keys_work_bit_for_bit() -> None:
+    """Also from a moment at which a key is held."""
+    page = SessionPage(sim.load_scene("hopper"))
+    page.frames(20, commands.HoldKeys(frozenset({"down", "right"})))
+    page.frames(6, commands.HoldKeys(frozenset({"up"})))
+    moment = page.session.simulation.capture()
+    entry = log.restore_entry(moment, with_scene=True)
+    assert (
+        log.moment_of(msgspec.convert(msgspec.to_builtins(entry), log.Restore), moment.scene).steer
+        == moment.steer
+    )
+    page.frames(10, commands.SetValue("gravity", 900.0))
+    page.frames(10, commands.GoTo(0.2), commands.Play(True))
+    page.frames(20, commands.HoldKeys(frozenset()))
+    record = log.decode_log(answered(page.session, page.session.log_file), "log")
+    player = Player(record, sim.Simulation(record.scene))
+    while not player.ended:
+        player.do()
+    assert player.agrees, player.verdict
 
 
 def test_a_muscle_is_thickest_while_it_is_shortest() -> None:

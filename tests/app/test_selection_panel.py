@@ -321,6 +321,36 @@ def test_masses_are_put_on_rails() -> None:
     assert page.scene.masses[1].rail is msgspec.UNSET
 
 
+def test_keys_are_chosen_for_forces_muscles_and_motors() -> None:
+    page = Page(rope())
+    page.select(masses=(1, 2))
+    page.frames(1)
+    assert page.made["Forces act"].value == "always"
+    page.enter("Forces act", "with the keys Up and Down")
+    pushed = page.scene.masses[1]
+    assert pushed.keys == "up-down" and pushed.force[1] < 0.0 == pushed.force[0]
+    page.frames(5)
+    page.enter("Force y", 0.0)
+    assert page.scene.masses[1].keys is msgspec.UNSET is page.scene.masses[1].force
+    page.select(springs=(0, 1), joints=(0,))
+    assert not any("uscle" in one.label for one in page.made.there)
+    page.frames(1, commands.Change(lambda moment, selected: give_muscles(moment.scene, selected)))
+    page.frames(10)
+    page.enter("Muscles work", "steadily, with the keys Left and Right")
+    page.enter("Joint muscles work", "to the beat, with the keys Up and Down")
+    page.enter("Joints turn", "by a motor, with the keys Up and Down")
+    assert page.scene.linear_springs[0].muscle == SpringMuscle(keys="left-right", wave="steady")
+    joint = page.scene.angular_springs[0]
+    assert (joint.muscle.keys, joint.muscle.wave, joint.motor.keys) == ("up-down", "sine", "up-down")
+    page.frames(5)
+    assert page.made["Muscles work"].value == "steadily, with the keys Left and Right"
+    page.enter("Muscles work", "to the beat")
+    assert page.scene.linear_springs[0].muscle == SpringMuscle()
+    page.select(springs=(2,))
+    page.frames(1)
+    assert not page.made["Muscles work"].is_shown
+
+
 def test_springs_become_ropes_and_joints_stops() -> None:
     page = Page(rope())
     page.select(springs=(0, 1), joints=(0,))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+import sim
 from app.pages.sandbox.features import COMMANDS
 from app.session import commands
 from app.ui.commands import key_lines
@@ -185,3 +186,17 @@ def test_the_arrow_pad_holds_a_key_while_a_finger_is_on_it(open_page: OpenPage) 
     desk.until(lambda: desk.simulation.rest_angles[0] > 15.0, "it is held for longer than a press")
     touch.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
     desk.until(lambda: desk.simulation.keys == NOTHING, "it is released")
+
+
+def test_the_keys_stand_on_what_they_drive(open_page: OpenPage) -> None:
+    desk = open_page(sim.load_scene("crane"))
+    cap, works = desk.page.locator(".softrod-cap"), desk.page.locator(".softrod-driven .softrod-arrow").last
+    desk.until(lambda: cap.all_text_contents() == ["↑ ↓"], "the motor has its keys")
+    assert works.get_attribute("d") == ""
+    hold(desk, "ArrowUp", "up")
+    desk.until(
+        lambda: " 0 1 0 " in (works.get_attribute("d") or ""), "the arc says that it turns anticlockwise"
+    )
+    assert "softrod-on" in (cap.get_attribute("class") or "")
+    release(desk, "ArrowUp")
+    desk.until(lambda: works.get_attribute("d") == "", "it rests")

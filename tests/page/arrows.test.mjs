@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { unitOf } from "../../app/features/instruments/arrow_marks.js";
 import { unpack } from "../../app/wire/unpack.js";
-import { arrow, loadArrows } from "../../app/stage/arrow_shapes.js";
+import { arrow, drivenArrows, loadArrows } from "../../app/stage/arrow_shapes.js";
 import { largest, massesOf, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/features/instruments/arrows.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };
@@ -108,4 +108,26 @@ test("in metres units have their names", () => {
   const kinds = ["forces", "velocities", "torques"];
   assert.deepEqual(kinds.map((kind) => unitOf(kind, "m")), ["N", "m/s", "N m"]);
   assert.deepEqual(kinds.map((kind) => unitOf(kind, "px")), ["kg px/s²", "px/s", "kg px²/s²"]);
+});
+
+test("a motor has an arc that points where it turns, and a force that keys work an arrow; both turn round with their keys", () => {
+  const plan = {
+    flip: -1, radius: new Float32Array([0.1, 0.1, 0.1]), springs: new Float32Array([0, 1, 1, 2]),
+    joints: new Float32Array([0, 1, 1, 1]), motors: new Float32Array([0, 1, 0]), pushes: new Float32Array([2, 0.5, 0.25, 1]),
+  };
+  const places = new Float64Array([100, 100, 200, 100, 300, 100]);
+  const at = (...efforts) => drivenArrows(plan, { efforts: new Float32Array(efforts) }, places, 100);
+  const held = at(1, -1);
+  assert.equal(held.rests, "");
+  const [curve, arrows] = [held.works.slice(0, held.works.indexOf("M", 1)), points(held.works)];
+  // +x towards +y is clockwise where y grows downwards: from below the second spring round to above it.
+  assert.match(curve, /^M2\d\d\.\d 1\d\d\.\d.*A17\.0 17\.0 0 1 1 2\d\d\.\d 8\d/);
+  assert.deepEqual(arrows.slice(-5)[1], [250, 125], "the force is the opposite one while Down is held");
+  assert.match(at(-1, 0).works, /A17\.0 17\.0 0 1 0 /, "the motor turns back while Left is held");
+  for (const none of [at(), at(0, 0)]) {
+    assert.equal(none.works, "");
+    assert.deepEqual(points(none.rests).slice(-5)[1], [350, 75]);
+  }
+  plan.motors = new Float32Array([0, -1, -1]);
+  assert.match(at().works, /0 1 0 /, "a motor without keys always works");
 });

@@ -103,7 +103,7 @@ def test_a_wave_is_largest_where_its_crest_is() -> None:
         muscle = shape_muscles(scene, SOME, wave, per_beat).scene.linear_springs[0].muscle
         assert isinstance(muscle, SpringMuscle)
         times = np.linspace(0.0, 1.0, 4001)
-        sizes = [swings(Beat(), [muscle], t)[0] for t in times]
+        sizes = [swings(Beat(), [muscle], (), t)[0] for t in times]
         at = times[int(np.argmax(sizes))] % (1.0 / per_beat)
         assert at == pytest.approx(crest(muscle), abs=5e-4)
         assert max(sizes) == pytest.approx(0.2, abs=1e-4)
@@ -205,6 +205,8 @@ def test_waves_go_on_from_where_they_are_at_another_tempo(time: float) -> None:
     for frequency in (0.0, 0.4, 1.3, 9.0):
         other = beat.at_tempo(frequency, time)
         assert other.frequency == frequency and 0.0 <= other.phase <= 360.0
-        np.testing.assert_allclose(swings(other, muscles, time), swings(beat, muscles, time), atol=1e-6)
+        np.testing.assert_allclose(
+            swings(other, muscles, (), time), swings(beat, muscles, (), time), atol=1e-6
+        )
         scene = replace(worm(), beat=beat)
         assert set_value(scene, "tempo", frequency, time).beat == other
