@@ -151,6 +151,7 @@ def test_nets_are_drawn_with_bars_and_chains_trees_and_rings_with_coils(name: st
         "cloth",
         "jelly",
         "flag-pole",
+        "hopper",
         "study-cloth",
         "treadmill",
         "walker",

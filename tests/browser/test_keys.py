@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-import sim
 from app.pages.sandbox.features import COMMANDS
 from app.session import commands
 from app.ui.commands import key_lines
@@ -189,7 +188,7 @@ def test_the_arrow_pad_holds_a_key_while_a_finger_is_on_it(open_page: OpenPage) 
 
 
 def test_the_keys_stand_on_what_they_drive(open_page: OpenPage) -> None:
-    desk = open_page(sim.load_scene("crane"))
+    desk = open_page("crane")
     cap, works = desk.page.locator(".softrod-cap"), desk.page.locator(".softrod-driven .softrod-arrow").last
     desk.until(lambda: cap.all_text_contents() == ["↑ ↓"], "the motor has its keys")
     assert works.get_attribute("d") == ""

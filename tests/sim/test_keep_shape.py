@@ -26,8 +26,8 @@ from tests.sim.changes import posed, with_joints, with_masses, with_springs
 from tests.sim.checks import jacobian, known
 
 HANGING = {
-    "air-balloon", "box", "buggy", "bungee", "cart", "cradle", "crane", "jelly", "kapitza", "knee",
-    "lesson-catenary", "lesson-chaos", "lesson-explosion", "octagon", "pendulum", "pile", "rope",
+    "air-balloon", "box", "buggy", "bungee", "cart", "cradle", "crane", "hopper", "jelly", "kapitza",
+    "knee", "lesson-catenary", "lesson-chaos", "lesson-explosion", "octagon", "pendulum", "pile", "rope",
     "stick-slip", "triangle", "water-balloon",
 }  # fmt: skip
 """Presets whose first pose nothing can keep: they hang by one mass, have no joints, roll, or fly."""
