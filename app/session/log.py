@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from importlib import metadata
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, cast, get_args
 
 import llvmlite.binding
 import msgspec
@@ -367,7 +367,7 @@ def restore_entry(moment: sim.Moment, with_scene: bool) -> Restore:
         step=moment.step_count,
         scale=moment.rest_length_scale,
         shift=moment.rest_angle_shift,
-        steer=moment.steer or msgspec.UNSET,
+        steer=cast(Any, moment.steer or msgspec.UNSET),
         scene=fields_of(moment.scene) if with_scene else None,
     )
 

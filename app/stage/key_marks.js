@@ -1,6 +1,7 @@
 // @ts-check
 /** Draws over the body what motors and keys do, and the keys on what they work. */
 import { drivenArrows } from "./arrow_shapes.js";
+import { WORKS } from "./looks.js";
 import { insertMarksLayer, onMarksRedraw } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
 import { countMuscles, effortOf, muscleAt } from "./swing.js";
@@ -35,7 +36,7 @@ export function addKeyMarks() {
     while (caps.length < found.length) caps.push(makeCap(svg));
     found.forEach(({ x, y, keys }, i) => {
       set(caps[i], { transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})` });
-      caps[i].classList.toggle("softrod-on", Math.abs(effortOf(frame, keys)) > 0.5);
+      caps[i].classList.toggle("softrod-on", Math.abs(effortOf(frame, keys)) > WORKS);
       const text = /** @type {Element} */ (caps[i].lastChild);
       if (text.textContent !== SIGNS[keys]) text.textContent = SIGNS[keys];
     });

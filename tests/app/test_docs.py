@@ -75,7 +75,7 @@ def test_the_python_example_of_the_readme_runs(capsys: pytest.CaptureFixture[str
 
 def test_the_scenes_of_the_reference_are_valid(tmp_path: Path) -> None:
     examples = blocks(DOCS / "scene-files.md", "json")
-    assert len(examples) == 7
+    assert len(examples) == 8
     for example in examples:
         file = tmp_path / "example.json"
         file.write_text(example)
