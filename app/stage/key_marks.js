@@ -1,6 +1,6 @@
 // @ts-check
 /** Draws over the body what motors and keys do, and the keys on what they work. */
-import { drivenArrows } from "./arrow_shapes.js";
+import { drivenArrows } from "./driven_arrows.js";
 import { WORKS } from "./looks.js";
 import { insertMarksLayer, onMarksRedraw } from "./sight.js";
 import { makeSvg, set } from "./svg.js";

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { unitOf } from "../../app/features/instruments/arrow_marks.js";
 import { unpack } from "../../app/wire/unpack.js";
-import { arrow, drivenArrows, loadArrows } from "../../app/stage/arrow_shapes.js";
+import { arrow, loadArrows } from "../../app/stage/arrow_shapes.js";
+import { drivenArrows } from "../../app/stage/driven_arrows.js";
 import { largest, massesOf, Scale, Series, torqueArrows, turnArrow, vectorArrows } from "../../app/features/instruments/arrows.js";
 
 const view = { left: 0, right: 800, top: 0, bottom: 600 };

@@ -14,10 +14,10 @@
  * @property {Record<string, number[][]>} meshes outlines: x and y of each corner
  * @typedef {{plan: Plan, frame: Frame, damage: Damage}} Shown
  */
-import { drivenArrows, loadArrows } from "../../stage/arrow_shapes.js";
+import { loadArrows } from "../../stage/arrow_shapes.js";
 import { NODES, toWorld } from "../../stage/draw.js";
 import { moving, standing, streaks } from "../../stage/environment.js";
-import { ARROW, LAYERS, MARGIN, RESTS } from "../../stage/looks.js";
+import { ARROW, LAYERS, MARGIN } from "../../stage/looks.js";
 
 /** Size, in units of the world, below which an instance is left out; those that have vanished are half as large. */
 const UNSEEN = 2e-6;
@@ -72,6 +72,7 @@ export function screenOf({ box: [left, right, low, high] }, canvas) {
  * Draw a body.
  *
  * @param {Stage} stage @param {HTMLCanvasElement} canvas @param {Shown} shown
+ * @returns what draws over it: the canvas, the masses and the world in it, and colours by name
  */
 export function paint(stage, canvas, { plan, frame, damage }) {
   const to = canvas.getContext("2d");
@@ -111,12 +112,5 @@ export function paint(stage, canvas, { plan, frame, damage }) {
     to.stroke(arrows);
     to.fill(arrows);
   }
-  if (plan.motors.length || plan.pushes.length) {
-    const { works, rests } = drivenArrows(plan, frame, places, on.step);
-    Object.assign(to, { strokeStyle: color("force"), lineWidth: ARROW, lineCap: "round", lineJoin: "round" });
-    to.stroke(new Path2D(works));
-    to.globalAlpha = RESTS;
-    to.stroke(new Path2D(rests));
-    to.globalAlpha = 1;
-  }
+  return { to, places, on, color };
 }
