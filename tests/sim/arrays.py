@@ -46,6 +46,7 @@ class Arrays:
         fetch(ENTRY_POINTS)  # kernels are called directly here
         self.scene = scene
         simulation = Simulation(scene)
+        simulation.keys = {"right", "down"}  # held where they work anything, with no time for anything else
         self.system, self.state = simulation.tables
         if general:
             self.system = dataclasses.replace(

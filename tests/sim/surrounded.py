@@ -108,7 +108,8 @@ ONE_SIDED = "springs and joints of one side"
 
 ON_RAILS = "girder on rails in walls and a medium, with a gas"
 MOTORISED = "girder of motors"
-AROUND = [*KINDS, *TOUCHING, ONE_SIDED, ON_RAILS, MOTORISED]
+STEERED = "girder of motors and forces that keys work"
+AROUND = [*KINDS, *TOUCHING, ONE_SIDED, ON_RAILS, MOTORISED, STEERED]
 
 
 def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
@@ -127,10 +128,17 @@ def around(kind: str, seed: int = 0, **changes: Any) -> Scene:
         rest_angle = wrapped_degrees(40.0 - first.rest_angle)
         stop = replace(first, a=first.b, b=first.a, rest_angle=rest_angle, only="above")
         return replace(scene, angular_springs=(*scene.angular_springs, stop))
-    if kind == MOTORISED:
+    if kind in (MOTORISED, STEERED):
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
         motors = [Motor(speed=90.0, torque=2e5, slip=300.0), Motor(speed=-200.0, torque=5e4, slip=500.0)]
         joints = scene.angular_springs
+        if kind == STEERED:
+            keys = "left-right", "up-down"
+            motors = [replace(motor, keys=key) for motor, key in zip(motors, keys, strict=True)]
+            forces = [(3e3 - 900.0 * i, 500.0 * i) for i in range(len(scene.masses))]
+            pushed = zip(scene.masses, forces, strict=True)
+            masses = [replace(one, force=force, keys=keys[i % 2]) for i, (one, force) in enumerate(pushed)]
+            scene = replace(scene, masses=tuple(masses))
         return with_joints(scene, motor=[(*motors, msgspec.UNSET)[i % 3] for i in range(len(joints))])
     if kind == ON_RAILS:
         scene = by(body("girder", seed=seed, **changes), "generalized_alpha", dt=1e-4)
