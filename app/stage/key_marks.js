@@ -14,7 +14,9 @@ const SIGNS = ["← →", "↑ ↓"];
 /** Half the width and height of a cap, and its distance from what the keys work, px. */
 const [HALF, HIGH, BESIDE] = [21, 10, 24];
 /** Pixels between two caps of the same keys below which the second one is left out. */
-const APART = 70;
+const APART = 110;
+/** Pixels between two caps one above the other. */
+const STACKED = 2 * HIGH + 3;
 
 /** Adds the marks of a body that has any. */
 export function addKeyMarks() {
@@ -60,7 +62,9 @@ function capsOf({ plan, on, places }) {
   const add = (keys, x, y, dx, dy) => {
     if (keys < 0) return;
     const cap = { keys, x: x + dx, y: y + dy };
-    if (caps.every((other) => other.keys !== keys || Math.hypot(other.x - cap.x, other.y - cap.y) > APART)) caps.push(cap);
+    if (caps.some((other) => other.keys === keys && Math.hypot(other.x - cap.x, other.y - cap.y) <= APART)) return;
+    while (caps.some((other) => Math.abs(other.x - cap.x) < 2 * HALF && Math.abs(other.y - cap.y) < STACKED)) cap.y -= STACKED;
+    caps.push(cap);
   };
   /** @param {number} keys @param {number} mass @param {number} dx @param {number} dy direction */
   const beside = (keys, mass, dx, dy) => {

@@ -364,8 +364,10 @@ def _has_contact(scene: Scene) -> bool:
     return _has_springs(scene) and scene.contact is not None
 
 
-def _has_muscles(scene: Scene) -> bool:
-    return moves(scene) and is_muscular(scene)
+def _has_waves(scene: Scene) -> bool:
+    """Return whether muscles follow the beat; steady ones do not."""
+    parts = (*scene.linear_springs, *scene.angular_springs) if is_muscular(scene) else ()
+    return moves(scene) and any(part.muscle and part.muscle.wave != "steady" for part in parts)
 
 
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
@@ -435,7 +437,7 @@ _ALL = (
         Access(-180.0, 180.0, "°", lambda scene: float(scene.template or 0), _write_template),
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
-    _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_muscles),
+    _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_waves),
     _setting(
         "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
     ),

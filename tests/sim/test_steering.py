@@ -206,3 +206,9 @@ def test_what_keys_work_is_saved_and_refused_where_it_means_nothing() -> None:
         sim.Simulation(replace(cart(), masses=(Mass(position=(0.0, 0.0), keys="up-down"),)))
     with pytest.raises(SceneError, match=r'muscle\.wave: "steady" needs keys'):
         sim.Simulation(puller(SpringMuscle(wave="steady")))
+
+
+def test_what_is_steady_has_no_tempo() -> None:
+    with pytest.raises(sim.SettingError, match="tempo"):
+        sim.set_value(puller(STEADY), "tempo", 2.0)
+    assert sim.set_value(walker(), "tempo", 3.0).beat == Beat(frequency=3.0)
