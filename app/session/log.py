@@ -300,7 +300,9 @@ def state_of(simulation: sim.Simulation) -> str:
     """
     moment = simulation.capture()
     numbers = np.array([moment.time, moment.step_count, moment.rest_length_scale, moment.rest_angle_shift])
-    parts = sorted(simulation.keys), simulation.grabbed, moment.damage, moment.grips
+    # Older logs have no efforts of keys.
+    efforts = (moment.steer,) if moment.steer else ()
+    parts = sorted(simulation.keys), simulation.grabbed, moment.damage, moment.grips, *efforts
     data = moment.rows.tobytes() + numbers.tobytes() + encode_fields(parts)
     return hashlib.blake2b(data, digest_size=8).hexdigest()
 

@@ -175,6 +175,20 @@ def test_the_same_bits_from_a_moment_while_keys_are_held() -> None:
     assert simulation.capture().steer[2:4] == (0.0, 0.0)
 
 
+def test_a_run_resumes_with_its_efforts_bit_for_bit() -> None:
+    simulation = sim.Simulation(walker())
+    simulation.keys = {"right", "up"}
+    simulation.advance(0.03)
+    there, ends = simulation.checkpoint(), []
+    for _ in range(2):
+        simulation.advance(0.04)
+        simulation.keys = {"left"}
+        simulation.advance(0.1)
+        ends.append(simulation.positions)
+        simulation.resume(there)
+    assert (ends[0] == ends[1]).all()
+
+
 def test_an_effort_goes_on_when_a_number_changes() -> None:
     simulation = sim.Simulation(by(puller(STEADY), tolerance=1e-5))
     simulation.keys = {"right"}
