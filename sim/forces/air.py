@@ -183,10 +183,7 @@ def _slopes(law, friction, x, y):
 
 @kernel(fastmath=FAST, noalias=True)
 def brake(body, state, v, a):
-    """Add the accelerations by still air under a law that is not the tutorial's.
-
-    They are along the velocities, so rails leave them as they are.
-    """
+    """Add the accelerations by still air under a law that is not the tutorial's."""
     eight_at_a_time()
     slots, drag = v.size // 2, state.drag
     vx, vy, ax, ay = v[:slots], v[slots:], a[:slots], a[slots:]

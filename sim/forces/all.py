@@ -199,6 +199,7 @@ def braked_accelerations(body, state, scratch, q, v, a):
     else:
         a[1] = np.nan
     brake(body, state, v, a)
+    keep_on_rails(body, a)
 
 
 @kernel(fastmath=FAST)
