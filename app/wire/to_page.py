@@ -29,7 +29,7 @@ class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
         offer: going back to before an explosion is offered.
         future: what happened before the user went back is shown.
         follow: the driven mass follows the pointer.
-        arrows: the arrow keys change the scene, and the page has the arrow pad.
+        arrows: the arrow keys that do anything, such as "left", which are the buttons of the arrow pad.
         broken: number of broken springs.
         controls: names of the page's controls.
         gizmos, meter: switches of the View menu.
@@ -54,7 +54,7 @@ class PageState(State, frozen=True, kw_only=True, omit_defaults=True):
     offer: bool = False
     future: bool = False
     follow: bool = False
-    arrows: bool = False
+    arrows: tuple[str, ...] = ()
     broken: int = 0
     controls: tuple[str, ...] = ()
     gizmos: bool = False

@@ -284,7 +284,7 @@ export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** What the card beside a mass says. */
 export type MassCard = { tell: "massCard"; mass: number; joint: number; title: string; rows: [string, string][] };
 /** The state of the session and of the page. */
-export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; view?: number[]; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; arrows?: boolean; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
+export type PageState = { tell: "pageState"; page: string; scene: number; title: string; width: number; height: number; view?: number[]; unit: string; joint?: number; playing?: boolean; rest?: boolean; scrubbed?: boolean; start?: number; end?: number; speed?: number; offer?: boolean; future?: boolean; follow?: boolean; arrows?: string[]; broken?: number; controls?: string[]; gizmos?: boolean; meter?: boolean; measuring?: string; lesson?: boolean | null };
 /** The head-up display over the canvas, HTML. */
 export type Hud = { tell: "hud"; html: string };
 /** The state that the browser stores and returns after a reload or an outage, see `keeping`: JSON. */

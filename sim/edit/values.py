@@ -216,7 +216,7 @@ _WORK = {
     **{f"steady {keys}": f"steadily, {words}" for keys, words in _BY_KEYS.items()},
 }
 WAYS: dict[str, Way] = {
-    "touch": Way("masses", "touch", "solid", {"": "as points", "solid": "as balls"}, {"solid": True}),
+    "touch": Way("masses", "touch", "solid", {"": "no other mass", "solid": "other balls"}, {"solid": True}),
     "move": Way(
         "masses",
         "move",
@@ -306,6 +306,8 @@ def _fields(scene: Scene, part: Any, way: Way, name: str) -> dict[str, Any]:
     old, value = getattr(part, way.field), way.values.get(name, msgspec.UNSET)
     if way.field == "motor" and old and value:
         value = msgspec.structs.replace(old, keys=value.keys)
+    elif way.field == "motor" and value and not part.muscle:
+        return {"motor": value, "stiffness": 0.0}  # a joint that holds its angle would hold against it
     if way.field == "muscle":
         wave = "steady" if name.startswith("steady") else "sine" if old.wave == "steady" else old.wave
         value = msgspec.structs.replace(old, keys=name.removeprefix("steady ") or msgspec.UNSET, wave=wave)

@@ -20,7 +20,7 @@ from ..model.loads import LoadCalculator, Loads
 from ..model.state import Carried, damage_in, grips_of, rest_angles, steer_in
 from ..model.system import System, same_topology
 from ..scene.columns import ends
-from ..scene.types import Anchor, Damage, Pose, Scene, is_steered
+from ..scene.types import Anchor, Damage, Pose, Scene, steered_by
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from ..solve.steps import guard
@@ -537,7 +537,7 @@ class Simulation:
     def _install(self, motion: Motion) -> None:
         """Go on with another motion, maybe of another scene."""
         self._motion, self._scene, self._state = motion, motion.scene, motion.state
-        self._steered = is_steered(motion.scene)
+        self._steered = bool(steered_by(motion.scene))
         self._time_remainder = 0.0
         self._joint_ends: tuple[Indices, Indices] | None = None  # once angles have been asked for
         self._meter: StabilityMeter | None = None

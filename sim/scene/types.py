@@ -252,14 +252,21 @@ def is_pushed(scene: Scene) -> bool:
     return is_set_in_any(scene.masses, "keys")
 
 
-def is_steered(scene: Scene) -> bool:
-    """Return whether keys work any motor, muscle or force of a scene."""
+def steered_by(scene: Scene) -> set[str]:
+    """Return the pairs of keys that work motors, muscles or forces of a scene, as in "left-right"."""
     springs, joints = scene.linear_springs, scene.angular_springs
     works = [(joints, "motor"), *(((springs, "muscle"), (joints, "muscle")) if scene.beat else ())]
-    return is_pushed(scene) or any(
-        is_set_in_any(parts, field) and any(has.keys for part in parts if (has := getattr(part, field)))
-        for parts, field in works
-    )
+    pairs = {mass.keys for mass in scene.masses if mass.keys} if is_pushed(scene) else set[str]()
+    for parts, field in works:
+        if is_set_in_any(parts, field):
+            pairs |= {has.keys for part in parts if (has := getattr(part, field)) and has.keys}
+    return pairs
+
+
+def keys_of(scene: Scene) -> tuple[str, ...]:
+    """Return the arrow keys that do anything in a scene, as in ("left", "right")."""
+    pairs = {"up-down", "left-right"} if scene.arrow_keys is not None else steered_by(scene)
+    return tuple(key for pair in sorted(pairs) for key in pair.split("-"))
 
 
 def is_muscular(scene: Scene) -> bool:

@@ -24,6 +24,7 @@ ALL = [
     "Curl of every joint", "Bending stiffness", "Stretching stiffness", "Stretching damping",
     "Bending damping", "Rest length", "Gravity", "Air friction", "Number of masses",
 ]  # fmt: skip
+ALL_KEYS = ("left", "right", "up", "down")
 TOUCHING = ["Friction of walls", "Bounciness of walls"]
 
 
@@ -53,7 +54,14 @@ def test_only_controls_that_the_scene_can_use_are_there(
     assert sorted(page.gui.labels("slider", tab="Play")) == sorted(sliders)
     assert sorted(page.gui.labels("dropdown", tab="Play")) == sorted(lists)
     assert ("Every mass of this scene is held." in page.gui.text()) == (not sliders)
-    assert page.client.mail.last(PageState).arrows == pad
+    assert page.client.mail.last(PageState).arrows == (ALL_KEYS if pad else ())
+
+
+def test_the_pad_has_the_keys_that_drive_something() -> None:
+    page = WholePage("rod")
+    for name, keys in (("buggy", ("left", "right")), ("crane", ("up", "down")), ("pile", ())):
+        page.shown(commands.Open(sim.load_scene(name)))
+        assert page.client.mail.last(PageState).arrows == keys
 
 
 def test_the_law_of_the_air_is_chosen_where_there_is_air() -> None:

@@ -302,10 +302,10 @@ def test_masses_become_balls() -> None:
     page = Page(rope())
     page.select(masses=(1, 2))
     page.frames(1)
-    assert page.made["Masses touch"].value == "as points"
-    page.enter("Masses touch", "as balls")
+    assert page.made["Masses touch"].value == "no other mass"
+    page.enter("Masses touch", "other balls")
     assert [mass.solid for mass in page.scene.masses[:4]] == [msgspec.UNSET, True, True, msgspec.UNSET]
-    page.enter("Masses touch", "as points")
+    page.enter("Masses touch", "no other mass")
     assert page.scene.masses[1].solid is msgspec.UNSET
 
 
@@ -346,6 +346,10 @@ def test_keys_are_chosen_for_forces_muscles_and_motors() -> None:
     assert page.made["Muscles work"].value == "steadily, with the keys Left and Right"
     page.enter("Muscles work", "to the beat")
     assert page.scene.linear_springs[0].muscle == SpringMuscle()
+    # A motor turns its joint at once: what would hold the angle gives way.
+    page.select(joints=(1,))
+    page.enter("Joints turn", "by a motor")
+    assert page.scene.angular_springs[1].stiffness == 0.0
     page.select(springs=(2,))
     page.frames(1)
     assert not page.made["Muscles work"].is_shown

@@ -176,7 +176,7 @@ def test_help_and_what_finds_anything_list_the_keys(open_page: OpenPage) -> None
 
 def test_the_arrow_pad_holds_a_key_while_a_finger_is_on_it(open_page: OpenPage) -> None:
     desk = open_page(size=(390, 844), phone=True)
-    button = desk.page.get_by_role("button", name="rest angle up")
+    button = desk.page.get_by_role("button", name="Right", exact=True)
     button.scroll_into_view_if_needed()
     x, y = middle_of(button)
     touch = desk.context.new_cdp_session(desk.page)

@@ -76,7 +76,7 @@ function addKeys() {
   /** @type {Set<Key>} */
   const held = new Set();
   const tell = () => {
-    if (pageState().arrows) send({ do: "keys", held: [...held] });
+    if (pageState().arrows?.length) send({ do: "keys", held: [...held] });
   };
   /** @param {Key} key @param {boolean} down */
   const press = (key, down) => {
@@ -89,7 +89,7 @@ function addKeys() {
     const key = heldArrow(event);
     const { target } = event;
     const isBusy = target instanceof Element && target.closest("input, select, textarea, svg, canvas:focus-visible");
-    if (!key || isBusy || !pageState().arrows) return;
+    if (!key || isBusy || !pageState().arrows?.length) return;
     event.preventDefault();
     press(/** @type {Key} */ (key), true);
   });

@@ -16,7 +16,7 @@ from app.classroom.live import SharedView
 from app.classroom.plotted import Plotted
 from sim.compiling.compiler import Compiler
 from sim.errors import InputError, SettingError
-from sim.scene.types import is_steered, shown_name
+from sim.scene.types import keys_of, shown_name
 from sim.settings import CHOICES, Choice, Setting, setting_of
 
 from ...export.live.data import body_data
@@ -276,7 +276,7 @@ class ClassTab:
             playing=session.playing,
             speed=session.pacer.speed,
             offer=session.offer_back,
-            arrows=(scene.arrow_keys is not None or is_steered(scene)) and "keys" in self._controls,
+            arrows=keys_of(scene) if "keys" in self._controls else (),
             controls=self._names,
         )
 

@@ -56,8 +56,7 @@ def page_state(
         offer=session.offer_back,
         future=session.abandoned_future is not None,
         follow=session.follow,
-        arrows=(session.scene.arrow_keys is not None or session.simulation.steered)
-        and "keys" in page.controls,
+        arrows=keys_of(session.scene) if "keys" in page.controls else (),
         broken=broken,
         controls=tuple(name for name in CONTROLS if name in page.controls),
         gizmos=page.looks.gizmos,

@@ -8,13 +8,13 @@ import { make, makeButton } from "../dialog.js";
 
 /** Each key with its name, its place and its sign. @type {[Key, string, string, string][]} */
 const KEYS = [
-  ["up", "longer", "1 / 2", "▲"],
-  ["left", "rest angle down", "2 / 1", "◀"],
-  ["down", "shorter", "2 / 2", "▼"],
-  ["right", "rest angle up", "2 / 3", "▶"],
+  ["up", "Up", "1 / 2", "▲"],
+  ["left", "Left", "2 / 1", "◀"],
+  ["down", "Down", "2 / 2", "▼"],
+  ["right", "Right", "2 / 3", "▶"],
 ];
 
-/** Adds the pad to the page; it is shown on touch screens, where the scene has arrow keys. */
+/** Adds the pad to the page; it is shown on touch screens, with the keys that do anything in the scene. */
 export function addPad() {
   const pad = make("div", "softrod-pad");
   pad.setAttribute("role", "group");
@@ -28,7 +28,10 @@ export function addPad() {
     pad.append(button);
   }
   document.body.append(pad);
-  onMessage("pageState", ({ arrows = false }) => (pad.hidden = !arrows));
+  onMessage("pageState", ({ arrows = [] }) => {
+    pad.hidden = arrows.length === 0;
+    for (const button of pad.children) button.toggleAttribute("hidden", !arrows.includes(/** @type {HTMLElement} */ (button).dataset.softrodKey ?? ""));
+  });
 }
 
 /** @param {Event} event @returns {HTMLElement | null} */
