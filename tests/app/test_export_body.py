@@ -36,7 +36,7 @@ from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
-from tests.sim.surrounded import ONE_SIDED, around
+from tests.sim.surrounded import ON_RAILS, ONE_SIDED, around
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -192,6 +192,9 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
         ONE_SIDED_GIRDER,
         ("method=stable_spring", "dt=0.0005", "linear_stiffness=1000000"),
     ),
+    "a cart on a rail": (sim.load_scene("cart"), ()),
+    "an anchor that goes to and fro on a rail": (sim.load_scene("kapitza"), ()),
+    "rails": (around(ON_RAILS), ("dt=0.0002",)),
     "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
     **{
         f"{law} air{', wind' if wind else ''}": (
@@ -213,6 +216,14 @@ def test_programs_move_as_the_solver_does_by_the_tutorials_step(name: str, tmp_p
     simulation.step(STEPS)
     assert abs(simulation.positions - body.positions).max() > 1.0  # it is a motion
     programs_end_where_it_is(simulation, body, tmp_path)
+
+
+def test_data_have_rails() -> None:
+    cart = body_of(sim.load_scene("cart"))
+    assert json.loads(body_json(cart))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
+    with zipfile.ZipFile(io.BytesIO(body_csv(cart))) as archive:
+        rows = list(csv.DictReader(io.TextIOWrapper(archive.open("masses.csv"))))
+    assert [(row["rail_x"], row["rail_y"]) for row in rows] == [("1.0", "0.0"), ("0.0", "0.0")]
 
 
 def test_the_command_makes_programs_of_the_scene_with_its_settings(tmp_path: Path, softrod: Softrod) -> None:

@@ -11,6 +11,7 @@ import msgspec
 
 import sim
 from sim import AngularSpring, LinearSpring
+from sim.motion.driving import NO_RAIL
 from sim.store.csv_text import csv_text
 from sim.store.files import indented_json
 
@@ -167,6 +168,8 @@ def _masses(body: Body) -> dict[str, Sequence[Any]]:
     }
     if body.loads:
         columns["force"] = [body.loads.get(i, (0.0, 0.0)) for i in range(len(body.mass))]
+    if body.rails:
+        columns["rail"] = [body.rails.get(i, NO_RAIL) for i in range(len(body.mass))]
     return columns
 
 

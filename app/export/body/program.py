@@ -23,7 +23,9 @@ from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name
 from sim.solve.registry import METHODS
 
+from ...conditional import needed_lines
 from .body import Body
+from .features import features_of
 
 _MARGIN = 0.8
 """Fraction of the largest stable time step that a program takes where the scene's own is too long: a body
@@ -41,8 +43,6 @@ LICENCE = "SPDX-License-Identifier: MIT; Copyright (c) 2026 The softrod authors"
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:;()+-^/")
 """Characters of a user's text that a comment may have: none could end the comment or mean anything in it."""
 
-_DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
-
 _HYSTERESIS, _GRIP = WallRow._fields.index("hysteresis"), WallRow._fields.index("tangential")
 """Columns of a wall's row from which on only some programs need them: those of what a constant restitution
 loses, and those of tangential springs."""
@@ -51,7 +51,7 @@ LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs and live files know."""
 
 TERMS_IN_PROGRAMS = frozenset(
-    ("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact")
+    ("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact", "rails")
 )
 """The names of the forces that they know, or refuse by themselves."""
 
@@ -126,13 +126,18 @@ class Plan:
             "GRIPS": bool(body.walls[:, _GRIP].any()),
             "GRIPPED": bool(self._gripped()),
             "CIRCLES": bool(body.circles),
+            "RAILED_CIRCLES": not body.rails.keys().isdisjoint(body.circles),
             "STRETCHED": bool(body.spring_muscles),
             "BENT": bool(body.joint_muscles),
             "MUSCLES": body.beat is not None,
             "TIME": bool(body.circles) or body.beat is not None,
             "MATHEMATICS": bool(len(body.ends) or air or len(body.walls) or body.circles),
         }
-        return {"TEMPLATE": False, **{f"HAS_{name}": needed for name, needed in has.items()}}
+        return {
+            "TEMPLATE": False,
+            **{f"HAS_{name}": needed for name, needed in has.items()},
+            **features_of(scene),
+        }
 
     def tables(self) -> dict[str, list[tuple[float | int, ...]]]:
         """The rows of the program's tables, by the names of their places in the templates."""
@@ -164,6 +169,7 @@ class Plan:
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
             "RESISTED": self._resisted(),
             "GRIPPED": self._gripped(),
+            "RAILS": [(mass, *way) for mass, way in body.rails.items()],
             "CIRCLES": [
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
                 for mass, (circle, place) in body.circles.items()
@@ -303,27 +309,15 @@ def _table(rows: Iterable[str], opening: str, closing: str) -> str:
 def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
     """A template with what the program needs of it.
 
-    In a template, `# ifdef NAME`, `# else` and `# endif` on lines of their own are directives, those of the
-    preprocessor in C and comments in Python, and words GIVEN_... are places for text. So a compiler and a
-    linter read the templates as they are.
+    Words GIVEN_... in a template are places for text, and `app.conditional` has its directives.
 
     Args:
         name: of the template.
         plan: of the program.
         places: texts by what follows GIVEN_, in addition to the plan's numbers.
     """
-    features, lines, shown = plan.features(), [], [True]
     template = Path(__file__).with_name("templates") / name
-    for line in template.read_text(encoding="ascii").splitlines():
-        match = _DIRECTIVE.fullmatch(line)
-        if match is None:
-            lines += [line] * all(shown)
-        elif match["asked"]:
-            shown.append(features[match["asked"]])
-        elif match["word"] == "else":
-            shown.append(not shown.pop())
-        else:
-            shown.pop()
+    lines = needed_lines(template.read_text(encoding="ascii"), plan.features())
     given = plan.numbers() | places
     text = re.sub(r"\bGIVEN_(\w+)", lambda place: given[place[1]], "\n".join((*lines, "")))
     return re.sub(r"\n{4,}", "\n\n\n", text).encode("ascii")

@@ -14,13 +14,18 @@ from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, Grips, is_damageable
 
 from ..body.body import Body
+from ..body.features import features_of
 
 ENDLESS = 1e300
 """What stands for no limit, since JSON has no infinity."""
 
 
-def body_data(moment: sim.Moment) -> dict[str, Any]:
+def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict[str, Any]:
     """The `BodyData` of a moment.
+
+    Args:
+        moment: the moment.
+        has: the features of the script, see `features_of`; those of the moment's scene if it is None.
 
     Raises:
         InputError: a position or a velocity is not a finite number.
@@ -76,7 +81,16 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "yielded": _yielded(moment.damage),
         "grips": _grips(moment.grips),
         "muscles": _muscles(body),
+        **_features(body, has or features_of(scene)),
     }
+
+
+def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
+    """The fields that there are with some features only."""
+    data: dict[str, Any] = {}
+    if has["HAS_RAILS"]:
+        data["rails"] = [[mass, *way] for mass, way in body.rails.items()]
+    return data
 
 
 def _sides(body: Body) -> dict[str, list[int]] | None:

@@ -118,6 +118,16 @@ def scenes_of_steps(scene: sim.Scene) -> list[sim.Scene]:
     return [scene_of_step(scene, number) for number in range(len(steps))]
 
 
+def scenes_of_runs(scene: sim.Scene) -> list[sim.Scene]:
+    """What the steps of a scene's lesson run with after their questions; nothing without a lesson.
+
+    Raises:
+        SettingError: a step cannot begin.
+    """
+    steps = scene.lesson.steps if scene.lesson is not None else ()
+    return [scene_of_run(scene, number) for number, step in enumerate(steps) if step.run]
+
+
 def lesson_notes(scene: sim.Scene) -> list[str]:
     """What a file leaves out of a scene's lesson: sentences without a full stop."""
     steps = scene.lesson.steps if scene.lesson is not None else ()

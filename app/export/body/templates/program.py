@@ -17,6 +17,7 @@ GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
+GIVEN_RAILS = [(0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
 GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0)]
 GIVEN_BENT = [(0, 0.0, 0.1, 1.0, 0.0, 0)]
@@ -122,6 +123,12 @@ PLACE = np.full((len(WALLS), len(MASSES)), np.nan)
 GRIPPED = GIVEN_GRIPPED
 
 # endif
+# ifdef HAS_RAILS
+# A row for each mass that moves only along a rail: which it is, and the unit vector of the rail.
+RAILS = np.array(GIVEN_RAILS)
+RAILED, WAY = RAILS[:, 0].astype(int), RAILS[:, 1:]
+
+# endif
 # ifdef HAS_CIRCLES
 # Of each held mass that goes round: which it is, its place at time 0 (px), radius (px), turns per second
 # (Hz), and the time constant with which it speeds up (s).
@@ -195,6 +202,13 @@ def stick(x, v):
             stretch, place = stretches(k, x)
             most = wall[5] * push / softened(wall[-2])
             STRETCH[k], PLACE[k] = np.clip(stretch, -most, most), np.where(depth > 0.0, place, np.nan)
+
+
+# endif
+# ifdef HAS_RAILS
+def along_rails(vectors):
+    """Vectors of the masses on rails, without what is across the rails."""
+    return WAY * (WAY * vectors).sum(1, keepdims=True)
 
 
 # endif
@@ -327,6 +341,9 @@ def accelerations(x, v):
         _, push, rub = touch(k, x, v)
         a += np.stack((push * nx + rub * ny, push * ny - rub * nx), 1)
     # endif
+    # ifdef HAS_RAILS
+    a[RAILED] = along_rails(a[RAILED])
+    # endif
     # ifdef HAS_HELD
     return np.where(FREE, a, 0.0)
     # else
@@ -337,11 +354,17 @@ def accelerations(x, v):
 # ifdef HAS_CIRCLES
 def lead(x, v, t):
     """Put masses on circles where they are at time t."""
+    # ifdef HAS_RAILED_CIRCLES
+    before = x[RAILED]  # those on rails go to and fro along them
+    # endif
     for mass, at_x, at_y, radius, frequency, ramp in CIRCLES:
         fade, turn = np.exp(-t / ramp), 2.0 * np.pi * frequency
         phase, speed = turn * (t - ramp * (1.0 - fade)), radius * turn * (1.0 - fade)
         x[mass] = at_x + radius * np.sin(phase), at_y + radius * (1.0 - np.cos(phase))
         v[mass] = speed * np.cos(phase), speed * np.sin(phase)
+    # ifdef HAS_RAILED_CIRCLES
+    x[RAILED], v[RAILED] = before + along_rails(x[RAILED] - before), along_rails(v[RAILED])
+    # endif
 
 
 # endif

@@ -26,6 +26,7 @@
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
 #define GIVEN_GRIPPED { { 0 } }
+#define GIVEN_RAILS { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
 #define GIVEN_STRETCHED { { 0 } }
 #define GIVEN_BENT { { 0 } }
@@ -67,6 +68,14 @@ static const struct {
     double stretch;  // px
 } gripped[] = GIVEN_GRIPPED;
 enum { GRIPPED = sizeof gripped / sizeof *gripped };
+
+# endif
+# ifdef HAS_RAILS
+static const struct {
+    int mass;     // that moves only along a rail
+    double x, y;  // the unit vector of the rail
+} rail[] = GIVEN_RAILS;
+enum { RAILS = sizeof rail / sizeof *rail };
 
 # endif
 # ifdef HAS_CIRCLES
@@ -189,6 +198,14 @@ static void stick(softbody *body) {
             body->grip[k][i].holds = holds;
         }
     }
+}
+
+# endif
+# ifdef HAS_RAILS
+// Takes what is across the r-th rail out of a vector.
+static void keep_along(int r, double *x, double *y) {
+    double along = rail[r].x * *x + rail[r].y * *y;
+    *x = rail[r].x * along, *y = rail[r].y * along;
 }
 
 # endif
@@ -351,6 +368,9 @@ static void accelerate(softbody *body) {
         }
 # endif
     }
+# ifdef HAS_RAILS
+    for (int r = 0; r < RAILS; r++) keep_along(r, &body->mass[rail[r].mass].ax, &body->mass[rail[r].mass].ay);
+# endif
 }
 
 # ifdef HAS_CIRCLES
@@ -365,6 +385,15 @@ static void lead(softbody *body, double t) {
         body->mass[i].x = circle[k].x + radius * sin(phase);
         body->mass[i].y = circle[k].y + radius * (1.0 - cos(phase));
         body->mass[i].vx = speed * cos(phase), body->mass[i].vy = speed * sin(phase);
+# ifdef HAS_RAILED_CIRCLES
+        for (int r = 0; r < RAILS; r++) {  // one on a rail goes to and fro along it
+            if (rail[r].mass != i) continue;
+            double x = body->mass[i].x - circle[k].x, y = body->mass[i].y - circle[k].y;
+            keep_along(r, &x, &y);
+            keep_along(r, &body->mass[i].vx, &body->mass[i].vy);
+            body->mass[i].x = circle[k].x + x, body->mass[i].y = circle[k].y + y;
+        }
+# endif
     }
 }
 
@@ -488,6 +517,11 @@ void softbody_impulse(softbody *body, int mass, double px, double py) {
     softbody_mass *m = &body->mass[mass];
     if (m->held) return;
     m->vx += px / m->mass, m->vy += py / m->mass;
+# ifdef HAS_RAILS
+    for (int r = 0; r < RAILS; r++) {
+        if (rail[r].mass == mass) keep_along(r, &m->vx, &m->vy);
+    }
+# endif
 }
 
 # ifdef HAS_WALLS

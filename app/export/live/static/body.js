@@ -36,6 +36,9 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
  * @typedef {{springs: number[], joints: number[]}} Sides of springs and joints: 1 for one that acts only beyond its rest length
  *   or rest angle, -1 for one that acts only below it, 0 for one that acts on both sides
+ * // ifdef HAS_RAILS
+ * @typedef {[mass: number, x: number, y: number]} Rail a mass on a rail, and the unit vector of that
+ * // endif
  * @typedef {import("./muscles.js").Muscles} Muscles
  * @typedef {import("./push.js").Lost} Lost
  * @typedef {import("./push.js").Tangential} Tangential
@@ -75,6 +78,9 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {Yielded | null} yielded
  * @property {Grips | null} grips
  * @property {Muscles | null} muscles
+ * // ifdef HAS_RAILS
+ * @property {Rail[]} [rails]
+ * // endif
  */
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
@@ -93,6 +99,15 @@ const wrapped = (angle) => (angle > 180 ? angle - 360 : angle <= -180 ? angle + 
  */
 export const acts = (side, off, whole) => !side || (side * off > 0 && side * whole > 0);
 
+// ifdef HAS_RAILS
+/** Take what is across a rail out of the vector of its mass, see `Body.keepOnRail`. @param {Rail} rail @param {Float64Array} vectors @param {number} fromX @param {number} fromY */
+function keepAlong([m, x, y], vectors, fromX, fromY) {
+  const along = x * (vectors[2 * m] - fromX) + y * (vectors[2 * m + 1] - fromY);
+  vectors[2 * m] = fromX + x * along;
+  vectors[2 * m + 1] = fromY + y * along;
+}
+
+// endif
 /** A body, and what acts on it. */
 export class Body {
   /** @param {BodyData} data */
@@ -130,6 +145,9 @@ export class Body {
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
     this.contact = data.contact && { ...data.contact };
     this.muscles = data.muscles && { ...data.muscles };
+    // ifdef HAS_RAILS
+    this.rails = data.rails ?? [];
+    // endif
     // What muscles make of rest lengths and rest angles now: how many times as long, and by how many degrees more.
     this.stretched = new Float64Array(this.muscles ? this.springs : 0).fill(1);
     this.bent = new Float64Array(this.muscles ? this.joints : 0);
@@ -252,7 +270,31 @@ export class Body {
       a[2 * m + 1] = a[2 * m + 1] * w + (held[m] ? 0 : gravity[1]);
     }
     for (let k = 0; k < this.walls.length; k++) this.#addWall(k, softeningStep);
+    // ifdef HAS_RAILS
+    for (const rail of this.rails) keepAlong(rail, a, 0, 0);
+    // endif
   }
+  // ifdef HAS_RAILS
+
+  /**
+   * Take what is across the rail of a mass, if it is on one, out of its position or velocity.
+   *
+   * @param {number} m @param {Float64Array} vectors of all masses @param {number} fromX @param {number} fromY from where it is measured
+   */
+  keepOnRail(m, vectors, fromX = 0, fromY = 0) {
+    const rail = this.rails.find(([mass]) => mass === m);
+    if (rail) keepAlong(rail, vectors, fromX, fromY);
+  }
+
+  /** The place nearest to another one that a mass can be led to: on its rail, if it is on one. @param {number} m @param {number} x @param {number} y */
+  reachable(m, x, y) {
+    const places = this.positions.slice();
+    const [fromX, fromY] = [places[2 * m], places[2 * m + 1]];
+    [places[2 * m], places[2 * m + 1]] = [x, y];
+    this.keepOnRail(m, places, fromX, fromY);
+    return [places[2 * m], places[2 * m + 1]];
+  }
+  // endif
 
   /** Find the vectors and lengths of all springs as they are now. */
   measure() {

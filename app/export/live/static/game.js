@@ -197,6 +197,9 @@ export class SoftBody extends Body {
     if (this.held[mass]) return;
     this.velocities[2 * mass] += x / this.mass[mass];
     this.velocities[2 * mass + 1] += y / this.mass[mass];
+    // ifdef HAS_RAILS
+    this.keepOnRail(mass, this.velocities);
+    // endif
   }
 
   /**

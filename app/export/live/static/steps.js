@@ -26,6 +26,10 @@ export function goRound(body, t) {
     x[2 * mass + 1] = atY + radius * (1 - cosine);
     v[2 * mass] = radius * cosine * rate;
     v[2 * mass + 1] = radius * sine * rate;
+    // ifdef HAS_RAILS
+    body.keepOnRail(mass, x, atX, atY);
+    body.keepOnRail(mass, v);
+    // endif
   }
 }
 
@@ -115,6 +119,9 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   const seen = body.law === "tutorial" ? 0 : 1 / duration;
   const ways = hands.map(({ mass, x: toX, y: toY }) => {
     const i = 2 * mass;
+    // ifdef HAS_RAILS
+    [toX, toY] = body.reachable(mass, toX, toY);
+    // endif
     return { i, x: x[i], y: x[i + 1], dx: toX - x[i], dy: toY - x[i + 1] };
   });
   const before = hands.map(({ mass }) => body.held[mass]);

@@ -1,0 +1,18 @@
+"""What only some scenes have, by the names of `app.conditional`: programs and live files of others have no
+line of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from sim.forces.rails import has_rails
+from sim.scene.types import Scene
+
+_FEATURES: dict[str, Callable[[Scene], bool]] = {
+    "HAS_RAILS": has_rails,
+}
+
+
+def features_of(*scenes: Scene) -> dict[str, bool]:
+    """Whether any of some valid scenes has each feature."""
+    return {name: any(map(has, scenes)) for name, has in _FEATURES.items()}
