@@ -36,7 +36,8 @@ from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
-from tests.sim.surrounded import ON_RAILS, ONE_SIDED, around
+from tests.sim.changes import with_joints
+from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -141,6 +142,8 @@ FLOATING = changed(
     DAMPED, medium=sim.Medium(across=0.4, along=0.1), wind=sim.Wind(velocity=(80.0, -30.0)), air_friction=0.0
 )
 LYING = changed(MUSCULAR, gravity=(0.0, 0.0), ground=sim.Ground(forward=0.1, backward=0.5, sideways=0.9))
+CALM = ("dt=0.0002", "linear_stiffness=20000", "linear_damping=60")
+"""With these, the girder does not tumble so that the last digit of its start grows to be seen."""
 ONE_SIDED_GIRDER = around(ONE_SIDED)
 """Its springs and joints begin and end to act as it moves."""
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
@@ -195,6 +198,11 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "a cart on a rail": (sim.load_scene("cart"), ()),
     "an anchor that goes to and fro on a rail": (sim.load_scene("kapitza"), ()),
     "rails": (around(ON_RAILS), ("dt=0.0002",)),
+    **{f"motors, {law}": (around(MOTORISED), (*CALM, f"force_law={law}")) for law in LAWS_IN_PROGRAMS},
+    "motors, undamped": (
+        around(MOTORISED),
+        ("dt=0.0002", "force_law=tutorial", "linear_damping=0", "angular_damping=0"),
+    ),
     "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
     **{
         f"{law} air{', wind' if wind else ''}": (
@@ -216,14 +224,6 @@ def test_programs_move_as_the_solver_does_by_the_tutorials_step(name: str, tmp_p
     simulation.step(STEPS)
     assert abs(simulation.positions - body.positions).max() > 1.0  # it is a motion
     programs_end_where_it_is(simulation, body, tmp_path)
-
-
-def test_data_have_rails() -> None:
-    cart = body_of(sim.load_scene("cart"))
-    assert json.loads(body_json(cart))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
-    with zipfile.ZipFile(io.BytesIO(body_csv(cart))) as archive:
-        rows = list(csv.DictReader(io.TextIOWrapper(archive.open("masses.csv"))))
-    assert [(row["rail_x"], row["rail_y"]) for row in rows] == [("1.0", "0.0"), ("0.0", "0.0")]
 
 
 def test_the_command_makes_programs_of_the_scene_with_its_settings(tmp_path: Path, softrod: Softrod) -> None:
@@ -345,6 +345,36 @@ def test_a_module_for_games_has_contact_and_gusts_and_a_step_that_is_stable(
     simulation = sim.Simulation(scene)
     simulation.step(23 * 400)
     assert printed(words) == pytest.approx(simulation.positions, abs=1e-6, rel=0.0)
+
+
+def test_motors_are_steered_in_programs_as_keys_steer_them(tmp_path: Path) -> None:
+    keys = ("left-right", "up-down")
+    scene = with_joints(
+        around(MOTORISED), motor=lambda i, joint: joint.motor and changed(joint.motor, keys=keys[i % 2])
+    )
+    simulation = sim.Simulation(apply_assignments(scene, ["method=symplectic_euler", *CALM]))
+    body = body_of(simulation.scene)
+    simulation.keys = ("right", "down")
+    simulation.step(STEPS)
+    (tmp_path / "body.py").write_bytes(python_program(body)[0])
+    program = runpy.run_path(str(tmp_path / "body.py"))
+    program["STEER"][:] = 1.0, -1.0
+    x, v = body.positions.copy(), body.velocities.copy()
+    for _ in range(STEPS):
+        program["step"](x, v, 0.0)
+    in_c(body, tmp_path)
+    (tmp_path / "main.c").write_text(
+        f'#include "body.h"\n#include <stdio.h>\nint main(void) {{\n    static body b;\n    body_reset(&b);\n'
+        f"    b.steer[0] = 1.0, b.steer[1] = -1.0;\n    for (int i = 0; i < {STEPS}; i++) body_step(&b);\n"
+        '    for (int i = 0; i < BODY_MASSES; i++) printf("%.17g %.17g\\n", b.mass[i].x, b.mass[i].y);\n'
+        "    return 0;\n}\n"
+    )
+    built = compiled(tmp_path / "main.c", tmp_path / "body.c", *SANITIZED, program=tmp_path / "steered")
+    (tmp_path / "body.mjs").write_bytes(javascript_program(body.moment)[0])
+    steered = by_javascript(tmp_path / "body.mjs", f"body.steer(1, -1); body.step({STEPS});")
+    for places in (x, printed([str(built)]), printed(steered)):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+    assert "hold still until its steer is set" in " ".join(c_program(body)[2])
 
 
 GAME = Path(__file__).with_name("game.c")
@@ -469,6 +499,17 @@ def test_a_program_goes_on_with_friction_that_holds(tmp_path: Path) -> None:
     programs_end_where_it_is(simulation, body, tmp_path)
     for places in moved_by_programs(without, tmp_path):
         assert abs(places - simulation.positions).max() > 1e-3
+
+
+def test_motors_and_rails_are_in_json_and_tables_as_in_the_scene() -> None:
+    buggy, cart = sim.load_scene("buggy"), sim.load_scene("cart")
+    motors = [motor for motor in json.loads(body_json(body_of(buggy)))["joints"]["motor"] if motor]
+    assert [motor["keys"] for motor in motors] == ["left-right", "left-right"]
+    turned = [row for row in tables(buggy)["joints"] if row["motor_speed [deg/s]"]]
+    assert {(row["motor_speed [deg/s]"], row["motor_keys"]) for row in turned} == {("600.0", "left-right")}
+    assert json.loads(body_json(body_of(cart)))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
+    rails = [(row["rail_x"], row["rail_y"]) for row in tables(cart)["masses"]]
+    assert rails == [("1.0", "0.0"), ("0.0", "0.0")]
 
 
 def test_how_bodies_bounce_is_in_json() -> None:

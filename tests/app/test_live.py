@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import html
 import json
+import re
 import subprocess
 import tempfile
 from pathlib import Path
@@ -22,7 +23,7 @@ from app.export.live.lesson import MEASURED
 from app.export.live.live import live_html
 from app.export.live.program import javascript_program
 from app.export.live.sliders import KEYS
-from sim.settings import set_value
+from sim.settings import apply_assignments, set_value
 from sim.store.files import list_scenes
 from tests.amount import NIGHT, part_of
 from tests.app.command import Softrod
@@ -30,7 +31,7 @@ from tests.app.html_pages import held
 from tests.page.check import FOLDER, NODE
 from tests.sim.changes import with_joints, with_springs
 from tests.sim.fuzzing import wild_scene, wild_world, with_muscles
-from tests.sim.surrounded import ON_RAILS, ONE_SIDED, around
+from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around
 
 STEPS = 400
 CLOSE = 1e-9
@@ -98,6 +99,16 @@ def moved(scene: sim.Scene, steps: int = STEPS) -> sim.Simulation:
     return simulation
 
 
+def grown(scene: sim.Scene, steps: int) -> float:
+    """How far apart, px, the solver brings two motions that begin with other last digits."""
+    shaken = sim.Simulation(scene)
+    moment = shaken.capture()
+    noise = 1e-15 * np.random.default_rng(1).normal(size=moment.rows.shape)
+    shaken.restore(dataclasses.replace(moment, rows=moment.rows * (1.0 + noise)))
+    shaken.step(steps)
+    return float(np.abs(shaken.positions - moved(scene, steps).positions).max())
+
+
 # ------------------------------------------------------------------------- physics
 @pytest.fixture(scope="module")
 def presets() -> list[tuple[sim.Scene, dict[str, np.ndarray]]]:
@@ -109,7 +120,7 @@ def presets() -> list[tuple[sim.Scene, dict[str, np.ndarray]]]:
 def test_every_preset_moves_as_the_solver_moves_it(presets: list) -> None:
     for scene, script in presets:
         off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
-        assert off < CLOSE, (scene.name, scene.integrator.method, off)
+        assert off < CLOSE or grown(scene, STEPS) > CLOSE, (scene.name, scene.integrator.method, off)
 
 
 def test_the_limit_of_the_step_is_that_of_the_solver(presets: list) -> None:
@@ -134,13 +145,8 @@ def test_random_bodies_in_random_surroundings_move_and_break_as_in_the_solver() 
         scenes.append(replace(scene, integrator=replace(scene.integrator, dt=dt)))
     compared = broke = 0
     for seed, scene, script in zip(seeds, scenes, by_script(scenes, 100), strict=True):
-        simulation, shaken = moved(scene, 100), sim.Simulation(scene)
-        moment = shaken.capture()
-        noise = 1e-15 * np.random.default_rng(seed).normal(size=moment.rows.shape)
-        shaken.restore(dataclasses.replace(moment, rows=moment.rows * (1.0 + noise)))
-        shaken.step(100)
-        grown = float(np.abs(shaken.positions - simulation.positions).max())
-        if simulation.divergence is not None or grown > CLOSE:
+        simulation = moved(scene, 100)
+        if simulation.divergence is not None or grown(scene, 100) > CLOSE:
             continue
         compared += 1
         off = np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max()
@@ -192,10 +198,10 @@ def test_springs_and_joints_of_one_side_yield_and_break_where_they_act() -> None
         assert np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
 
 
-@pytest.mark.parametrize("kind", [ON_RAILS])
+@pytest.mark.parametrize("kind", [ON_RAILS, MOTORISED])
 def test_what_only_some_bodies_have_acts_as_in_the_solver(kind: str) -> None:
-    scenes = [replace(by(around(kind), method), force_law="conservative") for method in METHODS]
-    scenes = [replace(scene, integrator=replace(scene.integrator, dt=2e-4)) for scene in scenes]
+    words = ("force_law=conservative", "dt=0.0002", "linear_stiffness=20000", "linear_damping=60")
+    scenes = [apply_assignments(by(around(kind), method), words) for method in METHODS]
     for scene, script in zip(scenes, by_script(scenes), strict=True):
         off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
         assert off < CLOSE, (scene.integrator.method, off)
@@ -255,6 +261,23 @@ def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
         "presses": presses,
     }
     assert np.abs(run_script([told])[0]["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+
+
+def test_held_keys_steer_motors_as_in_the_solver() -> None:
+    scene = by(sim.load_scene("buggy"), EULER)
+    data = live_html(sim.Simulation(scene).capture())[0].decode()
+    assert re.findall('data-softrod-key="(.*?)"', data) == ["left", "right"]  # what the buggy knows
+    about = about_of(data.encode())
+    told = {"data": about["body"], "method": EULER, "h": about["dt"], "count": 200}
+    ways = []
+    for key, way in (("right", 1), ("left", -1)):
+        simulation = sim.Simulation(scene)
+        simulation.keys = (key,)
+        simulation.step(200)
+        (script,) = run_script([told | {"presses": {"factor": 1, "angle": 0, "steered": [way, 0]}}])
+        assert np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+        ways.append(simulation.positions[:, 0].mean())
+    assert ways[0] > ways[1] + 10.0
 
 
 def test_what_is_measured_has_the_names_and_values_of_the_solver() -> None:

@@ -19,7 +19,7 @@ from sim.forces.touch.walls import WallRow
 from sim.model.stable_spring import clamp_stiffness
 from sim.model.system import System, build_system, joint_stiffness
 from sim.motion.driving import NO_RAIL, offset, velocity
-from sim.scene.parts import Beat, JointMuscle, SpringMuscle, constant_force
+from sim.scene.parts import Beat, JointMuscle, Motor, SpringMuscle, constant_force
 from sim.scene.types import Circle, is_muscular
 
 Floats = NDArray[np.float64]
@@ -64,6 +64,7 @@ class Body:
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
         spring_side, joint_side: (S,) and (J,) 1 for a part that acts only beyond its rest length or angle, -1
             for one that acts only below it, 0 for one that acts on both sides.
+        motors: by joint.
         broken: (S,) whether a linear spring is broken.
         walls: (W, 12) rows as in `sim.forces.touch.walls`.
         wind: of the mean wind, px/s.
@@ -92,6 +93,7 @@ class Body:
     rest_angle: Floats
     spring_side: Indices
     joint_side: Indices
+    motors: dict[int, Motor]
     broken: NDArray[np.bool_]
     walls: Floats
     wind: tuple[float, float]
@@ -159,6 +161,7 @@ class Body:
             rest_angle=180.0 - (180.0 - rest_angle) % 360.0,
             spring_side=_sides(springs),
             joint_side=_sides(joints),
+            motors={i: j.motor for i, j in enumerate(joints) if j.motor},
             broken=broken,
             walls=np.array(environment.walls.rows)[:, : WallRow._fields.index("belt")],
             wind=(float(air.wind_x), float(air.wind_y)),

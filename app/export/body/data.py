@@ -66,6 +66,9 @@ _MORE_UNITS = {
     "beat_phase": "deg",
     "muscle_angle": "deg",
     "muscle_phase": "deg",
+    "motor_speed": "deg/s",
+    "motor_torque": "kg L^2/s^2",
+    "motor_slip": "deg/s",
 }
 """Of columns that there are in tables only."""
 
@@ -92,7 +95,7 @@ def body_json(body: Body) -> bytes:
         "y_down": scene.view.y_down,
         "masses": _masses(body),
         "springs": _springs(body) | _muscles(scene.linear_springs),
-        "joints": _joints(body) | _muscles(scene.angular_springs),
+        "joints": _joints(body) | _muscles(scene.angular_springs) | _motors(body),
         "anchors": scene.anchors,
         **_surroundings(scene),
     }
@@ -127,6 +130,10 @@ def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
             masses[f"circle_{field}"] = numbers
     stretch = _muscle_columns(scene.linear_springs, "muscle_amplitude")
     turn = _muscle_columns(scene.angular_springs, "muscle_angle")
+    if body.motors:
+        motors = _motors(body)["motor"]
+        for field in ("speed", "torque", "slip", "keys"):
+            turn[f"motor_{field}"] = [getattr(motor, field, None) or None for motor in motors]
     tables = {
         "masses": _table({"index": range(len(body.mass)), **masses}, scene),
         "springs": _table({"index": range(len(body.ends)), **_springs(body), **stretch}, scene),
@@ -215,6 +222,11 @@ def _muscles(parts: _Parts) -> dict[str, Sequence[Any]]:
     """A column of muscles as scenes have them, and None; nothing where no part has one."""
     muscles = [part.muscle or None for part in parts]
     return {"muscle": muscles} if any(muscles) else {}
+
+
+def _motors(body: Body) -> dict[str, Sequence[Any]]:
+    """A column of motors as scenes have them, and None; nothing where there is none."""
+    return {"motor": [body.motors.get(j) for j in range(len(body.joints))]} if body.motors else {}
 
 
 def _muscle_columns(

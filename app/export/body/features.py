@@ -5,11 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from sim.forces.motors import has_motors
 from sim.forces.rails import has_rails
-from sim.scene.types import Scene
+from sim.scene.types import Scene, is_steered
 
 _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_RAILS": has_rails,
+    "HAS_MOTORS": has_motors,
+    "HAS_STEERING": is_steered,
 }
 
 

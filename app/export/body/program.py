@@ -17,10 +17,11 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.forces.all import TERMS
+from sim.forces.muscles import steer_of
 from sim.forces.touch.walls import WallRow
 from sim.scene.columns import is_set_in_any
 from sim.scene.parts import JointMuscle, SpringMuscle
-from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name
+from sim.scene.types import ForceLaw, Method, Scene, is_damageable, is_steered, shown_name
 from sim.solve.registry import METHODS
 
 from ...conditional import needed_lines
@@ -51,7 +52,10 @@ LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs and live files know."""
 
 TERMS_IN_PROGRAMS = frozenset(
-    ("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact", "rails")
+    (
+        *("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact"),
+        *("rails", "motors"),
+    )
 )
 """The names of the forces that they know, or refuse by themselves."""
 
@@ -115,7 +119,8 @@ class Plan:
             "JOINTS": len(body.joints) > 0,
             "JOINT_SIDES": bool(body.joint_side.any()),
             "JOINT_DAMPING": joints_damped,
-            "RATES": damped or joints_damped,
+            "RATES": damped or joints_damped or bool(body.motors),
+            "TURNING": joints_damped or bool(body.motors),
             "ANGLE_LAW": law == "angle",
             "CONSERVATIVE_LAW": law == "conservative",
             "JOINT_ENERGY": law in ("angle", "conservative"),
@@ -169,6 +174,7 @@ class Plan:
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
             "RESISTED": self._resisted(),
             "GRIPPED": self._gripped(),
+            "MOTORS": self._motors(),
             "RAILS": [(mass, *way) for mass, way in body.rails.items()],
             "CIRCLES": [
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
@@ -183,6 +189,21 @@ class Plan:
                 for j, muscle in body.joint_muscles.items()
             ],
         }
+
+    def _motors(self) -> list[tuple[float | int, ...]]:
+        """A row for each motor, with the keys that steer it if any are steered."""
+        body, steered = self.body, is_steered(self.body.scene)
+        loose = body.broken[body.joints].any(1)
+        return [
+            (
+                j,
+                math.radians(motor.speed),
+                0.0 if loose[j] else motor.torque,
+                math.radians(motor.slip),
+                *([steer_of(motor.keys)] if steered else ()),
+            )
+            for j, motor in body.motors.items()
+        ]
 
     def _gripped(self) -> list[tuple[float | int, ...]]:
         """A row for each tangential spring between a wall and a mass: these, and its stretch, px."""
@@ -381,6 +402,8 @@ def _notes(body: Body) -> list[str]:
     scene, notes = body.scene, []
     if is_damageable(scene):
         notes.append("in it no spring breaks or yields any further")
+    if is_steered(scene):
+        notes.append("in it, motors that keys turn hold still until its steer is set")
     driven = any(anchor.driven for anchor in scene.anchors)
     hands = [*["the pointer"] * driven, *["the arrow keys"] * (scene.arrow_keys is not None)]
     if hands:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,6 +10,7 @@ import msgspec
 import numpy as np
 
 import sim
+from sim.forces.muscles import steer_of
 from sim.model.system import System, build_system
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, Grips, is_damageable
@@ -90,6 +92,11 @@ def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
     data: dict[str, Any] = {}
     if has["HAS_RAILS"]:
         data["rails"] = [[mass, *way] for mass, way in body.rails.items()]
+    if has["HAS_MOTORS"]:
+        data["motors"] = [
+            [joint, math.radians(motor.speed), motor.torque, math.radians(motor.slip), steer_of(motor.keys)]
+            for joint, motor in body.motors.items()
+        ]
     return data
 
 

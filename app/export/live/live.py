@@ -29,6 +29,13 @@ from .sliders import TUTORIAL, missing_labels, sliders
 DARK = "[data-dark]*"
 """Selects dark paper, see `static/dark.js`."""
 
+_ARROWS = [
+    ("left", "←", "Left: rest angles less"),
+    ("up", "↑", "Up: longer"),
+    ("down", "↓", "Down: shorter"),
+    ("right", "→", "Right: rest angles more"),
+]
+
 _FOLDER = Path(__file__).parent / "static"
 _APP = Path(__file__).parents[2]
 """The folder with the dialogs and lessons that look the same in a file."""
@@ -55,12 +62,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     play, reset = icon(play=ICONS["play"], pause=ICONS["pause"]), icon(reset=ICONS["reset"])
     arrows = "".join(
         f'<button type="button" data-softrod-key="{key}" aria-label="{label}">{sign}</button>'
-        for key, sign, label in (
-            ("left", "←", "Left: rest angles less"),
-            ("up", "↑", "Up: longer"),
-            ("down", "↓", "Down: shorter"),
-            ("right", "→", "Right: rest angles more"),
-        )
+        for key, sign, label in _arrows(scene)
     )
     body = f"""<main class="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="{title}"></canvas>
@@ -93,6 +95,19 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     return html_file(
         ClipFrame.of(moment), body, style, script, {"about": _about(moment, has)}, note, early_script(), bar
     ), notes
+
+
+def _arrows(scene: sim.Scene) -> list[tuple[str, str, str]]:
+    """The arrow keys of the pad: each with its sign and what it does."""
+    steered = {joint.motor.keys for joint in scene.angular_springs if joint.motor}
+    if scene.arrow_keys is None and any(steered):
+        pairs = {"left-right": ("left", "right"), "up-down": ("up", "down")}
+        return [
+            (key, sign, f"{key.capitalize()}: turn the motors")
+            for key, sign, _ in _ARROWS
+            if any(key in pair for keys, pair in pairs.items() if keys in steered)
+        ]
+    return _ARROWS
 
 
 @cache

@@ -17,6 +17,7 @@ GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
+GIVEN_MOTORS = [(0, 1.0, 1.0, 1.0, -1)]
 GIVEN_RAILS = [(0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
 GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0)]
@@ -76,6 +77,22 @@ JOINT_SIDE = JOINTS[:, 5]  # 1: it acts above its rest angle only; -1: below it 
 # endif
 # ifdef HAS_JOINT_DAMPING
 JOINT_C = JOINTS[:, -1]  # damping, kg/s
+# endif
+
+# endif
+# ifdef HAS_MOTORS
+# A row for each motor, which turns the second spring of a joint against the first: the joint, the rate at
+# which its angle should grow (1/s), the largest torque (kg px^2/s^2), and how far the rate is off where three
+# quarters of that act (1/s).
+# ifdef HAS_STEERING
+# At the end, which number in STEER steers it, or -1.
+# endif
+MOTORS = np.array(GIVEN_MOTORS)
+MOTOR = MOTORS[:, 0].astype(int)
+SPEED, MOST, MARGIN = MOTORS[:, 1:4].T
+# ifdef HAS_STEERING
+STEERED = MOTORS[:, 4].astype(int)
+STEER = np.zeros(2)  # to the right, and up: each from -1 to 1
 # endif
 
 # endif
@@ -251,8 +268,10 @@ def accelerations(x, v):
     # ifdef HAS_CONSERVATIVE_LAW
     energy = JOINT_K * (length[P] * length[Q] - COS * dot - SIN * cross)
     # endif
-    # ifdef HAS_JOINT_DAMPING
+    # ifdef HAS_TURNING
     turning = (spring[:, 0] * rate[:, 1] - spring[:, 1] * rate[:, 0]) / length**2
+    # endif
+    # ifdef HAS_JOINT_DAMPING
     torque += JOINT_C * length[P] * length[Q] * (turning[Q] - turning[P])
     # endif
     # ifdef HAS_JOINT_SIDES
@@ -270,6 +289,15 @@ def accelerations(x, v):
     across = np.stack((-spring[:, 1], spring[:, 0]), 1) / (length**2)[:, None]
     np.add.at(on_b, P, torque[:, None] * across[P])
     np.add.at(on_b, Q, -torque[:, None] * across[Q])
+    # ifdef HAS_MOTORS
+    first, second, wanted = P[MOTOR], Q[MOTOR], SPEED
+    # ifdef HAS_STEERING
+    wanted = np.where(STEERED < 0, 1.0, STEER[STEERED]) * SPEED
+    # endif
+    torque = MOST * np.tanh((wanted - turning[second] + turning[first]) / MARGIN)
+    np.add.at(on_b, first, -torque[:, None] * across[first])
+    np.add.at(on_b, second, torque[:, None] * across[second])
+    # endif
     # ifdef HAS_JOINT_ENERGY
     # The energy grows with the lengths, and so pulls along the springs.
     along = spring / (length**2)[:, None]

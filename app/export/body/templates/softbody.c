@@ -26,6 +26,7 @@
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
 #define GIVEN_GRIPPED { { 0 } }
+#define GIVEN_MOTORS { { 0 } }
 #define GIVEN_RAILS { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
 #define GIVEN_STRETCHED { { 0 } }
@@ -68,6 +69,19 @@ static const struct {
     double stretch;  // px
 } gripped[] = GIVEN_GRIPPED;
 enum { GRIPPED = sizeof gripped / sizeof *gripped };
+
+# endif
+# ifdef HAS_MOTORS
+static const struct {
+    int joint;      // whose second spring it turns against the first
+    double speed;   // the rate at which the angle should grow, 1/s
+    double torque;  // the largest, kg px^2/s^2
+    double slip;    // how far the rate is off where three quarters of the torque act, 1/s
+# ifdef HAS_STEERING
+    int steer;      // the index in `body->steer` of what steers it, or -1
+# endif
+} motor[] = GIVEN_MOTORS;
+enum { MOTORS = sizeof motor / sizeof *motor };
 
 # endif
 # ifdef HAS_RAILS
@@ -234,7 +248,7 @@ static void accelerate(softbody *body) {
 # ifdef HAS_JOINTS
         body->spring[i].fx = pull * x, body->spring[i].fy = pull * y;
         body->spring[i].x = x, body->spring[i].y = y, body->spring[i].length = length;
-# ifdef HAS_JOINT_DAMPING
+# ifdef HAS_TURNING
         body->spring[i].rx = rx, body->spring[i].ry = ry;
 # endif
 # else
@@ -285,6 +299,19 @@ static void accelerate(softbody *body) {
         body->spring[q].fx -= energy * body->spring[q].x / qq, body->spring[q].fy -= energy * body->spring[q].y / qq;
 # endif
     }
+# ifdef HAS_MOTORS
+    for (int i = 0; i < MOTORS; i++) {
+        softbody_spring *p = &body->spring[body->joint[motor[i].joint].p], *q = &body->spring[body->joint[motor[i].joint].q];
+        double pp = p->length * p->length, qq = q->length * q->length;
+        double rate = (q->x * q->ry - q->y * q->rx) / qq - (p->x * p->ry - p->y * p->rx) / pp, wanted = motor[i].speed;
+# ifdef HAS_STEERING
+        if (motor[i].steer >= 0) wanted *= body->steer[motor[i].steer];
+# endif
+        double torque = motor[i].torque * tanh((wanted - rate) / motor[i].slip);
+        p->fx += torque * p->y / pp, p->fy -= torque * p->x / pp;
+        q->fx -= torque * q->y / qq, q->fy += torque * q->x / qq;
+    }
+# endif
     for (int i = 0; i < SOFTBODY_SPRINGS; i++) {
         softbody_mass *a = &body->mass[body->spring[i].a], *b = &body->mass[body->spring[i].b];
         b->ax += body->spring[i].fx, b->ay += body->spring[i].fy;

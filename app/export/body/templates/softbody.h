@@ -54,7 +54,7 @@ typedef struct {
 # ifdef HAS_JOINTS
     double x, y, length;  // in the last step: its vector and length, px
     double fx, fy;        // and the force on mass b, kg px/s^2
-# ifdef HAS_JOINT_DAMPING
+# ifdef HAS_TURNING
     double rx, ry;        // and how fast the vector changed, px/s
 # endif
 # endif
@@ -121,6 +121,9 @@ struct softbody {
 # endif
 # ifdef HAS_WIND
     double wind_x, wind_y;  // velocity of the air, px/s
+# endif
+# ifdef HAS_STEERING
+    double steer[2];  // what steers motors, each from -1 to 1: to the right, and up
 # endif
     softbody_mass mass[SOFTBODY_MASSES];
 # ifdef HAS_SPRINGS

@@ -36,6 +36,11 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
  * @typedef {{springs: number[], joints: number[]}} Sides of springs and joints: 1 for one that acts only beyond its rest length
  *   or rest angle, -1 for one that acts only below it, 0 for one that acts on both sides
+ * // ifdef HAS_MOTORS
+ * @typedef {[joint: number, speed: number, torque: number, slip: number, steer: number]} Motor the rate at which the angle
+ *   of the joint should grow, 1/s; the largest torque, kg px²/s²; how far the rate is off where three quarters of it act, 1/s;
+ *   the index in `steered` of what steers it, or -1
+ * // endif
  * // ifdef HAS_RAILS
  * @typedef {[mass: number, x: number, y: number]} Rail a mass on a rail, and the unit vector of that
  * // endif
@@ -78,6 +83,9 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {Yielded | null} yielded
  * @property {Grips | null} grips
  * @property {Muscles | null} muscles
+ * // ifdef HAS_MOTORS
+ * @property {Motor[]} [motors]
+ * // endif
  * // ifdef HAS_RAILS
  * @property {Rail[]} [rails]
  * // endif
@@ -145,6 +153,13 @@ export class Body {
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
     this.contact = data.contact && { ...data.contact };
     this.muscles = data.muscles && { ...data.muscles };
+    // ifdef HAS_MOTORS
+    this.motors = data.motors ?? [];
+    // endif
+    // ifdef HAS_STEERING
+    /** What steers motors, each from -1 to 1: to the right, and up. */
+    this.steered = [0, 0];
+    // endif
     // ifdef HAS_RAILS
     this.rails = data.rails ?? [];
     // endif
@@ -340,6 +355,9 @@ export class Body {
       forces[2 * s + 1] = pull * dy;
     }
     this.#addJoints();
+    // ifdef HAS_MOTORS
+    this.#addMotors();
+    // endif
     for (let s = 0; s < this.springs; s++) {
       const one = 2 * ends[2 * s];
       const two = 2 * ends[2 * s + 1];
@@ -468,6 +486,25 @@ export class Body {
     forces[2 * s + 1] += (torque * x - energy * y) / square;
   }
 
+  // ifdef HAS_MOTORS
+  #addMotors() {
+    const { heldSprings, motors } = this;
+    for (const motor of motors) {
+      const j = motor[0];
+      if (this.isLoose(j)) continue;
+      const p = heldSprings[2 * j];
+      const q = heldSprings[2 * j + 1];
+      let wanted = motor[1];
+      // ifdef HAS_STEERING
+      if (motor[4] >= 0) wanted *= this.steered[motor[4]];
+      // endif
+      const torque = motor[2] * Math.tanh((wanted - this.turning(q) + this.turning(p)) / motor[3]);
+      this.#turn(p, -torque, 0);
+      this.#turn(q, torque, 0);
+    }
+  }
+
+  // endif
   #addFillings() {
     const { positions: x, accelerations: a } = this;
     for (const { masses, isGas, strength, outside, area: size } of this.fillings) {

@@ -232,6 +232,14 @@ export class SoftBody extends Body {
     this.wallGrips[wall].clear();
   }
 
+  // ifdef HAS_STEERING
+  /** Steer motors, until they are steered otherwise: each from -1 to 1. @param {number} right @param {number} up */
+  steer(right, up = 0) {
+    finite("steer", right, up);
+    this.steered = [right, up];
+  }
+
+  // endif
   /** Cut a spring for good, and let out what a loop with it holds. @param {number} spring */
   cut(spring) {
     known("cut", "spring", spring, this.springs);

@@ -40,8 +40,11 @@ export class Panel {
     this.play = button("play");
     this.follow = button("follow");
     this.clock = element("clock", HTMLOutputElement);
-    const hasArrows = Boolean(about.up || about.right);
+    let hasArrows = Boolean(about.up || about.right);
     const view = addView({ arrows: hasArrows, follow: !this.follow.hidden });
+    // ifdef HAS_STEERING
+    hasArrows = true;
+    // endif
     this.play.addEventListener("click", () => live.toggle());
     this.follow.addEventListener("click", () => live.follow());
     button("step").addEventListener("click", () => live.step());
@@ -110,6 +113,9 @@ export class Panel {
     return {
       factor: up ? (held("up") ? up.factor : 1) / (held("down") ? up.factor : 1) : 1,
       angle: right ? right.angle * (Number(held("right")) - Number(held("left"))) : 0,
+      // ifdef HAS_STEERING
+      steered: [Number(held("right")) - Number(held("left")), Number(held("up")) - Number(held("down"))],
+      // endif
     };
   }
 

@@ -4,8 +4,8 @@
  *
  * @typedef {import("./body.js").Body} Body
  * @typedef {{mass: number, x: number, y: number}} Hand a mass that is led, and where to, px
- * @typedef {{factor: number, angle: number}} Presses what held keys do in a second: a factor of all rest lengths, and degrees
- *   that all rest angles grow by
+ * @typedef {{factor: number, angle: number, steered?: number[]}} Presses what held keys do in a second: a factor of all rest
+ *   lengths, and degrees that all rest angles grow by; and how they steer motors, to the right and up
  */
 import { TURN } from "./body.js";
 import { settle, yieldHere } from "./limits.js";
@@ -136,6 +136,9 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
       v[way.i + 1] = way.dy * seen;
     }
   };
+  // ifdef HAS_STEERING
+  if (presses.steered) body.steered = presses.steered;
+  // endif
   const step = METHODS[method];
   lead(start, start);
   if (start === body.data.time) settle(body); // it may be beyond its limits where it was put
