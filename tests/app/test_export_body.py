@@ -175,6 +175,12 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
         changed(LOOSE, walls=(changed(LOOSE.walls[0], tangential_hardness=4000.0),)),
         (),
     ),
+    "a belt": (changed(LOOSE, walls=(changed(LOOSE.walls[0], speed=-120.0),)), ()),
+    "a belt on which friction holds": (
+        changed(LOOSE, walls=(changed(LOOSE.walls[0], speed=40.0, tangential_hardness=4000.0),)),
+        (),
+    ),
+    "a walker on a belt": (sim.load_scene("treadmill"), ("dt=0.001",)),
     "constant forces": (LOADED, ()),
     "muscles": (MUSCULAR, ()),
     "muscles, angle law": (MUSCULAR, ("force_law=angle", "tempo=3")),
@@ -484,11 +490,13 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     assert softrod("export", name, "--c", out, "--set", f"{setting}=0").returncode == 0
 
 
-def test_a_program_goes_on_with_friction_that_holds(tmp_path: Path) -> None:
+@pytest.mark.parametrize("belt", [msgspec.UNSET, 30.0])
+def test_a_program_goes_on_with_friction_that_holds(belt: Any, tmp_path: Path) -> None:
     """Masses that bounce and come to rest in a groove, from the middle of their motion."""
     hard = sim.Wall(
-        point=(100.0, 320.0), normal=(1.0, -4.0), friction=0.4, bounciness=0.3, tangential_hardness=4000.0
-    )
+        point=(100.0, 320.0), normal=(1.0, -4.0), friction=0.4, bounciness=0.3, tangential_hardness=4000.0,
+        speed=belt,
+    )  # fmt: skip
     floors = changed(hard, restitution="constant"), changed(hard, normal=(-1.0, -2.0))
     simulation = sim.Simulation(changed(LOOSE, walls=floors, integrator=EULER))
     simulation.step(400)
@@ -497,8 +505,9 @@ def test_a_program_goes_on_with_friction_that_holds(tmp_path: Path) -> None:
     without = Body.of(replace(body.moment, grips=None))
     simulation.step(STEPS)
     programs_end_where_it_is(simulation, body, tmp_path)
-    for places in moved_by_programs(without, tmp_path):
-        assert abs(places - simulation.positions).max() > 1e-3
+    if not belt:  # on a belt they slide, and forget
+        for places in moved_by_programs(without, tmp_path):
+            assert abs(places - simulation.positions).max() > 1e-3
 
 
 def test_motors_and_rails_are_in_json_and_tables_as_in_the_scene() -> None:
@@ -510,6 +519,12 @@ def test_motors_and_rails_are_in_json_and_tables_as_in_the_scene() -> None:
     assert json.loads(body_json(body_of(cart)))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
     rails = [(row["rail_x"], row["rail_y"]) for row in tables(cart)["masses"]]
     assert rails == [("1.0", "0.0"), ("0.0", "0.0")]
+
+
+def test_belts_are_in_tables_also_beside_walls_at_rest() -> None:
+    walls = (LOOSE.walls[0], changed(LOOSE.walls[0], speed=40.0))
+    rows = tables(changed(LOOSE, walls=walls))["walls"]
+    assert [row["speed [px/s]"] for row in rows] == ["", "40.0"]
 
 
 def test_how_bodies_bounce_is_in_json() -> None:

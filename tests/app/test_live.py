@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from msgspec.structs import replace
@@ -263,6 +264,34 @@ def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
     assert np.abs(run_script([told])[0]["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
 
 
+@pytest.mark.parametrize("of", [{"speed": -60.0}])
+def test_walls_of_all_kinds_hold_and_carry_as_in_the_solver(of: dict[str, Any]) -> None:
+    floor = sim.Wall(
+        point=(100.0, 320.0),
+        normal=(1.0, -4.0),
+        friction=0.4,
+        bounciness=0.3,
+        tangential_hardness=4000.0,
+        restitution="constant",
+        **of,
+    )
+    other = replace(floor, normal=(-1.0, -2.0), speed=msgspec.UNSET)
+    masses = tuple(
+        sim.Mass(position=(100.0 * i, 300.0), velocity=(90.0, 0.0), mass=1.0 + i) for i in range(3)
+    )
+    loose = sim.Scene(name="loose", masses=masses, walls=(floor, other), gravity=(0.0, 900.0))
+    scenes = []
+    for method in METHODS:
+        scene = by(loose, method)
+        begun = sim.Simulation(scene)
+        begun.advance(3.0)
+        assert begun.pose().grips
+        scenes += [scene, replace(scene, pose=begun.pose())]
+    for scene, script in zip(scenes, by_script(scenes), strict=True):
+        off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
+        assert off < CLOSE, (scene.integrator.method, off)
+
+
 def test_held_keys_steer_motors_as_in_the_solver() -> None:
     scene = by(sim.load_scene("buggy"), EULER)
     data = live_html(sim.Simulation(scene).capture())[0].decode()
@@ -305,6 +334,7 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         },
         "tutorial-3.2": {"template": 90.0},
         "rope": {"tempo": 3.3, "rest_angle": 12.0, "rest_length_scale": 0.9},
+        "treadmill": {"belt_speed": -90.0},
         "rod": {
             "drag_across": 0.3, "drag_along": 0.1,
             "ground_forward": 0.1, "ground_backward": 1.0, "ground_sideways": 0.6,

@@ -49,6 +49,7 @@ _MORE_UNITS = {
     "hardness": "1/(L s^2)",
     "tangential_hardness": "1/s^2",
     "slip_speed": "L/s",
+    "speed": "L/s",
     "pressure_or_bulk_modulus": "kg/s^2",
     "outside": "kg/s^2",
     "area": "L^2",
@@ -146,7 +147,8 @@ def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
     tables["settings"] = [["setting", "value"], *map(list, zip(heads, values, strict=True))]
     if scene.walls:
         walls = msgspec.to_builtins(scene.walls)
-        tables["walls"] = _table({field: [wall[field] for wall in walls] for field in walls[0]}, scene)
+        fields = dict.fromkeys(field for wall in walls for field in wall)
+        tables["walls"] = _table({field: [wall.get(field) for wall in walls] for field in fields}, scene)
     if body.loops:
         fillings = {
             "kind": ["gas" if loop.is_gas else "liquid" for loop in body.loops],

@@ -174,6 +174,7 @@ class Plan:
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
             "RESISTED": self._resisted(),
             "GRIPPED": self._gripped(),
+            "BELTS": [(wall.speed or 0.0,) if has["HAS_BELTS"] else () for wall in body.scene.walls],
             "MOTORS": self._motors(),
             "RAILS": [(mass, *way) for mass, way in body.rails.items()],
             "CIRCLES": [
@@ -284,6 +285,7 @@ def c_program(body: Body, name: str = "softbody") -> tuple[bytes, bytes, list[st
         for loop, end in zip(body.loops, ends, strict=True)
     ]
     tables = {**plan.tables(), "FILLINGS": loops, "MASSES": _masses(body)}
+    tables["WALLS"] = [(*wall, *belt) for wall, belt in zip(tables["WALLS"], tables["BELTS"], strict=True)]
     places = {
         table: _table((f"{{ {', '.join(map(repr, row))} }}" for row in rows), "{", "}")
         for table, rows in tables.items()
@@ -370,7 +372,6 @@ def unknown_forces(scene: Scene) -> list[str]:
     new = {
         "muscles that keys work": bool(scene.beat) and any(muscle.keys for muscle in muscles),
         "solid masses": solid,
-        "belts": any(wall.speed for wall in scene.walls),
         "static friction of its own": any(wall.static_friction for wall in scene.walls),
     }
     return [*names, *(name for name, is_there in new.items() if is_there)]

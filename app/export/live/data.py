@@ -33,6 +33,7 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
         InputError: a position or a velocity is not a finite number.
     """
     body, scene = Body.of(moment), moment.scene
+    has = has or features_of(scene)
     system = build_system(scene)
     rest_angle = np.array([j.rest_angle for j in scene.angular_springs]) + moment.rest_angle_shift
     air = system.body.environment.air
@@ -67,7 +68,7 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
         "restAngle": (180.0 - (180.0 - rest_angle) % 360.0).tolist(),
         "sides": _sides(body),
         "broken": np.flatnonzero(body.broken).tolist(),
-        "walls": body.walls.tolist(),
+        "walls": _walls(body, has),
         "fillings": [
             {
                 "masses": loop.masses,
@@ -83,7 +84,7 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
         "yielded": _yielded(moment.damage),
         "grips": _grips(moment.grips),
         "muscles": _muscles(body),
-        **_features(body, has or features_of(scene)),
+        **_features(body, has),
     }
 
 
@@ -98,6 +99,15 @@ def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
             for joint, motor in body.motors.items()
         ]
     return data
+
+
+def _walls(body: Body, has: Mapping[str, bool]) -> list[list[float | None]]:
+    """The `Wall`s of the script."""
+    rows = body.walls.tolist()
+    if has["HAS_BELTS"]:
+        for row, wall in zip(rows, body.scene.walls, strict=True):
+            row.append(None if wall.speed is msgspec.UNSET else wall.speed)
+    return rows
 
 
 def _sides(body: Body) -> dict[str, list[int]] | None:

@@ -16,6 +16,7 @@ GIVEN_LOADS = [(0, 0.0, 0.0)]
 GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
+GIVEN_BELTS = [(0.0,)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
 GIVEN_MOTORS = [(0, 1.0, 1.0, 1.0, -1)]
 GIVEN_RAILS = [(0, 1.0, 0.0)]
@@ -127,6 +128,9 @@ FILLINGS = GIVEN_FILLINGS
 # At the end, the stiffness and damping of the tangential springs by which friction holds (1/s^2, 1/s).
 # endif
 WALLS = GIVEN_WALLS
+# ifdef HAS_BELTS
+BELTS = [speed for (speed,) in GIVEN_BELTS]  # of the surface of each wall, along it, px/s
+# endif
 # ifdef HAS_GRIPS
 # Of the tangential spring between each wall and each mass, its stretch, and where along the wall the mass was
 # when it had that stretch (px); NaN where there is none.
@@ -176,7 +180,12 @@ def stretches(k, x):
     """Of the tangential springs between a wall and each mass (px), and where along it the masses are (px)."""
     nx, ny = WALLS[k][2:4]
     place = x[:, 1] * nx - x[:, 0] * ny
+    # ifdef HAS_BELTS
+    moved = place - PLACE[k] - BELTS[k] * DT  # since the end of the last step
+    return np.where(np.isnan(PLACE[k]), 0.0, STRETCH[k] + moved), place
+    # else
     return np.where(np.isnan(PLACE[k]), 0.0, STRETCH[k] + place - PLACE[k]), place
+    # endif
 
 
 # endif
@@ -189,6 +198,9 @@ def touch(k, x, v):
     px, py, nx, ny, hardness, friction, slip, loss = WALLS[k][:8]
     depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)
     out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny
+    # ifdef HAS_BELTS
+    along -= BELTS[k]
+    # endif
     power = (DT * (loss * hardness * depth**2 + 4.0 * DT * hardness * depth)) ** 4
     gain = 1.0 - (loss + 0.5 * DT / np.maximum(depth, 1e-300) * power / (1.0 + power)) * out
     # ifdef HAS_HYSTERESIS

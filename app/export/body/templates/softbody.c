@@ -161,7 +161,12 @@ static double place(const softbody *body, int k, int i) {
 
 // The stretch of the tangential spring between wall k and mass i, px.
 static double stretch(const softbody *body, int k, int i) {
+# ifdef HAS_BELTS
+    double since = SOFTBODY_DT * body->wall[k].speed;  // the end of the last step
+    return body->grip[k][i].holds ? body->grip[k][i].stretch + place(body, k, i) - body->grip[k][i].place - since : 0.0;
+# else
     return body->grip[k][i].holds ? body->grip[k][i].stretch + place(body, k, i) - body->grip[k][i].place : 0.0;
+# endif
 }
 
 // The stiffness of the tangential springs of wall k, softened so that a long step makes no energy.
@@ -178,6 +183,9 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
     double depth = (body->wall[k].x - body->mass[i].x) * nx + (body->wall[k].y - body->mass[i].y) * ny;
     double out = body->mass[i].vx * nx + body->mass[i].vy * ny, along = body->mass[i].vy * nx - body->mass[i].vx * ny;
     if (depth <= 0.0) return 0;
+# ifdef HAS_BELTS
+    along -= body->wall[k].speed;
+# endif
     double elastic = hardness * depth * depth;
     double power = pow(SOFTBODY_DT * (body->wall[k].loss * elastic + 4.0 * SOFTBODY_DT * hardness * depth), 4);
     double gain = 1.0 - (body->wall[k].loss + 0.5 * SOFTBODY_DT / depth * power / (1.0 + power)) * out;

@@ -95,6 +95,9 @@ typedef struct {
     double grip;      // stiffness of tangential springs, by which friction holds, 1/s^2
     double resist;    // damping of them, 1/s
 # endif
+# ifdef HAS_BELTS
+    double speed;     // of its surface along (-ny, nx), px/s
+# endif
 } softbody_wall;
 
 # ifdef HAS_GRIPS

@@ -20,6 +20,9 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @typedef {[x: number, y: number, nx: number, ny: number, hardness: number, friction: number, slipSpeed: number,
  *   ...lost: number[]]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, and the numbers of `Lost` and, for a
  *   mass of 1 kg, of `Tangential`
+ * // ifdef HAS_BELTS
+ *   and, at `BELT`, the speed of the surface along the wall, px/s, or null
+ * // endif
  * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
  *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
  * @typedef {{across: number, along: number}} Medium kg/(px s)
@@ -94,6 +97,10 @@ import { clamp, pushAndFriction, softened } from "./push.js";
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
 const SMALLEST = 0.01;
 const DEGREE = Math.PI / 180;
+// ifdef HAS_BELTS
+/** Where a wall has the speed of its surface. */
+export const BELT = 12;
+// endif
 /** Of a circle, radians. */
 export const TURN = 2 * Math.PI;
 
@@ -615,10 +622,15 @@ export class Body {
       const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
       if (!(depth > 0) || held[m]) continue;
       const speed = v[i] * nx + v[i + 1] * ny;
-      const along = v[i + 1] * nx - v[i] * ny;
+      let along = v[i + 1] * nx - v[i] * ny;
       const place = x[i + 1] * nx - x[i] * ny;
       const was = stiffness ? this.wallGrips[k].get(m) : undefined;
-      const stretch = was ? was[0] + (place - was[1]) : 0;
+      let stretch = was ? was[0] + (place - was[1]) : 0;
+      // ifdef HAS_BELTS
+      const belt = this.walls[k][BELT] ?? 0;
+      along -= belt;
+      if (was) stretch -= belt * (this.time - was[2]);
+      // endif
       const [push, rub] = pushAndFriction(
         hardness, [damping, hysteresis, calm], friction, slipSpeed, [stiffness, resisting], h, 1, 1, depth, speed, along,
         stretch,
@@ -636,6 +648,9 @@ export class Body {
       const next = new Map();
       this.#forMassesIn(k, h, (i, _depth, push, _rub, stretch, place) => {
         next.set(i / 2, [clamp(stretch, (wall[5] * push) / stiffness), place]);
+        // ifdef HAS_BELTS
+        next.get(i / 2).push(this.time);
+        // endif
       });
       this.wallGrips[k] = next;
     });
@@ -647,6 +662,9 @@ export class Body {
     for (const [k, m, stretch] of grips?.walls ?? []) {
       const [, , nx, ny] = this.walls[k];
       this.wallGrips[k].set(m, [stretch, x[2 * m + 1] * nx - x[2 * m] * ny]);
+      // ifdef HAS_BELTS
+      this.wallGrips[k].get(m)?.push(this.time);
+      // endif
     }
     if (this.contact && grips) gripSprings(this, this.contact, grips.springs);
   }

@@ -6,6 +6,9 @@
  * @typedef {import("./steps.js").Hand} Hand
  */
 import { Body } from "./body.js";
+// ifdef HAS_BELTS
+import { BELT } from "./body.js";
+// endif
 import { energies } from "./energy.js";
 import { leak } from "./limits.js";
 import { setTempo } from "./muscles.js";
@@ -237,6 +240,15 @@ export class SoftBody extends Body {
   steer(right, up = 0) {
     finite("steer", right, up);
     this.steered = [right, up];
+  }
+
+  // endif
+  // ifdef HAS_BELTS
+  /** Run a wall as a belt, px/s along (-ny, nx). @param {number} wall @param {number} speed */
+  setBelt(wall, speed) {
+    known("setBelt", "wall", wall, this.walls.length);
+    finite("setBelt", speed);
+    this.walls[wall][BELT] = speed;
   }
 
   // endif
