@@ -37,7 +37,7 @@ from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
 from tests.sim.changes import with_joints
-from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around
+from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around, block_on_a_belt
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -178,6 +178,11 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "a belt": (changed(LOOSE, walls=(changed(LOOSE.walls[0], speed=-120.0),)), ()),
     "a belt on which friction holds": (
         changed(LOOSE, walls=(changed(LOOSE.walls[0], speed=40.0, tangential_hardness=4000.0),)),
+        (),
+    ),
+    "a block that sticks and slips": (block_on_a_belt(), ("dt=0.002",)),
+    "static friction on a slope": (
+        changed(LOOSE, walls=(changed(LOOSE.walls[0], static_friction=0.6, tangential_hardness=4000.0),)),
         (),
     ),
     "a walker on a belt": (sim.load_scene("treadmill"), ("dt=0.001",)),
@@ -519,6 +524,19 @@ def test_motors_and_rails_are_in_json_and_tables_as_in_the_scene() -> None:
     assert json.loads(body_json(body_of(cart)))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
     rails = [(row["rail_x"], row["rail_y"]) for row in tables(cart)["masses"]]
     assert rails == [("1.0", "0.0"), ("0.0", "0.0")]
+
+
+@pytest.mark.parametrize(("before", "slides"), [(135, False), (180, True)])
+def test_a_program_goes_on_with_what_slides_in_spite_of_static_friction(
+    before: int, slides: bool, tmp_path: Path
+) -> None:
+    simulation = sim.Simulation(apply_assignments(block_on_a_belt(), ["method=symplectic_euler", "dt=0.002"]))
+    simulation.step(before)
+    grips = simulation.capture().grips
+    assert grips is not None and bool(grips.sliding) == slides
+    body = Body.of(simulation.capture())
+    simulation.step(STEPS)
+    programs_end_where_it_is(simulation, body, tmp_path)
 
 
 def test_belts_are_in_tables_also_beside_walls_at_rest() -> None:

@@ -32,7 +32,7 @@ from tests.app.html_pages import held
 from tests.page.check import FOLDER, NODE
 from tests.sim.changes import with_joints, with_springs
 from tests.sim.fuzzing import wild_scene, wild_world, with_muscles
-from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around
+from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around, block_on_a_belt
 
 STEPS = 400
 CLOSE = 1e-9
@@ -264,7 +264,15 @@ def test_a_step_of_the_tutorial_is_its_own_also_where_keys_are_held() -> None:
     assert np.abs(run_script([told])[0]["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
 
 
-@pytest.mark.parametrize("of", [{"speed": -60.0}])
+@pytest.mark.parametrize(
+    "of",
+    [
+        {"speed": -60.0},
+        {"static_friction": 0.6},
+        {"static_friction": 0.6, "speed": -60.0},
+        {"static_friction": 0.2},
+    ],
+)
 def test_walls_of_all_kinds_hold_and_carry_as_in_the_solver(of: dict[str, Any]) -> None:
     floor = sim.Wall(
         point=(100.0, 320.0),
@@ -287,6 +295,20 @@ def test_walls_of_all_kinds_hold_and_carry_as_in_the_solver(of: dict[str, Any]) 
         begun.advance(3.0)
         assert begun.pose().grips
         scenes += [scene, replace(scene, pose=begun.pose())]
+    for scene, script in zip(scenes, by_script(scenes), strict=True):
+        off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
+        assert off < CLOSE, (scene.integrator.method, off)
+
+
+@pytest.mark.parametrize("before", [0, 180])
+def test_a_block_sticks_and_slips_as_in_the_solver(before: int) -> None:
+    scenes = []
+    for method in METHODS:
+        begun = sim.Simulation(replace(block_on_a_belt(), integrator=sim.Integrator(method=method, dt=2e-3)))
+        begun.step(before)
+        pose = begun.pose()
+        assert before == 0 or (pose.grips is not None and pose.grips.sliding)
+        scenes.append(replace(begun.scene, pose=pose))
     for scene, script in zip(scenes, by_script(scenes), strict=True):
         off = np.abs(script["positions"].reshape(-1, 2) - moved(scene).positions).max()
         assert off < CLOSE, (scene.integrator.method, off)
@@ -335,6 +357,7 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         "tutorial-3.2": {"template": 90.0},
         "rope": {"tempo": 3.3, "rest_angle": 12.0, "rest_length_scale": 0.9},
         "treadmill": {"belt_speed": -90.0},
+        "stick-slip": {"static_friction": 0.7, "belt_speed": 25.0, "wall_friction": 0.2},
         "rod": {
             "drag_across": 0.3, "drag_along": 0.1,
             "ground_forward": 0.1, "ground_backward": 1.0, "ground_sideways": 0.6,
@@ -345,6 +368,8 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         scene = sim.load_scene(name)
         if "drag_across" in values:
             scene = replace(scene, medium=sim.Medium(), ground=sim.Ground())
+        if name == "stick-slip":
+            scene = block_on_a_belt()
         scene = by(scene, "symplectic_euler")
         if "tempo" in values:
             scene = with_muscles(scene, np.random.default_rng(1))

@@ -12,6 +12,7 @@ from sim.scene.types import Scene, is_steered
 _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_RAILS": has_rails,
     "HAS_BELTS": lambda scene: any(wall.speed for wall in scene.walls),
+    "HAS_STATIC": lambda scene: any(wall.static_friction for wall in scene.walls),
     "HAS_MOTORS": has_motors,
     "HAS_STEERING": is_steered,
 }

@@ -130,6 +130,7 @@ class Plan:
             "HYSTERESIS": bool(body.walls[:, _HYSTERESIS].any()),
             "GRIPS": bool(body.walls[:, _GRIP].any()),
             "GRIPPED": bool(self._gripped()),
+            "SLIDING": bool(self._sliding()),
             "CIRCLES": bool(body.circles),
             "RAILED_CIRCLES": not body.rails.keys().isdisjoint(body.circles),
             "STRETCHED": bool(body.spring_muscles),
@@ -174,7 +175,11 @@ class Plan:
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
             "RESISTED": self._resisted(),
             "GRIPPED": self._gripped(),
+            "SLIDING": self._sliding(),
             "BELTS": [(wall.speed or 0.0,) if has["HAS_BELTS"] else () for wall in body.scene.walls],
+            "STATIC": [
+                (wall.static_friction or 0.0,) if has["HAS_STATIC"] else () for wall in body.scene.walls
+            ],
             "MOTORS": self._motors(),
             "RAILS": [(mass, *way) for mass, way in body.rails.items()],
             "CIRCLES": [
@@ -210,6 +215,11 @@ class Plan:
         """A row for each tangential spring between a wall and a mass: these, and its stretch, px."""
         grips = self.body.moment.grips
         return list(grips.walls) if grips is not None and self.body.walls[:, _GRIP].any() else []
+
+    def _sliding(self) -> list[tuple[int, int]]:
+        """A row for each wall with static friction and a mass that slides on it."""
+        grips = self.body.moment.grips
+        return list(grips.sliding or ()) if grips is not None else []
 
     def _resisted(self) -> list[tuple[float | int, ...]]:
         """A row for each spring that a medium or the ground resists, with the weights on its ends."""
@@ -285,7 +295,8 @@ def c_program(body: Body, name: str = "softbody") -> tuple[bytes, bytes, list[st
         for loop, end in zip(body.loops, ends, strict=True)
     ]
     tables = {**plan.tables(), "FILLINGS": loops, "MASSES": _masses(body)}
-    tables["WALLS"] = [(*wall, *belt) for wall, belt in zip(tables["WALLS"], tables["BELTS"], strict=True)]
+    surfaces = (tables[name] for name in ("WALLS", "BELTS", "STATIC"))
+    tables["WALLS"] = [tuple(itertools.chain(*rows)) for rows in zip(*surfaces, strict=True)]
     places = {
         table: _table((f"{{ {', '.join(map(repr, row))} }}" for row in rows), "{", "}")
         for table, rows in tables.items()
@@ -372,7 +383,6 @@ def unknown_forces(scene: Scene) -> list[str]:
     new = {
         "muscles that keys work": bool(scene.beat) and any(muscle.keys for muscle in muscles),
         "solid masses": solid,
-        "static friction of its own": any(wall.static_friction for wall in scene.walls),
     }
     return [*names, *(name for name, is_there in new.items() if is_there)]
 

@@ -82,7 +82,7 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
         "contact": _contact(system),
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
-        "grips": _grips(moment.grips),
+        "grips": _grips(moment.grips, has),
         "muscles": _muscles(body),
         **_features(body, has),
     }
@@ -104,9 +104,11 @@ def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
 def _walls(body: Body, has: Mapping[str, bool]) -> list[list[float | None]]:
     """The `Wall`s of the script."""
     rows = body.walls.tolist()
-    if has["HAS_BELTS"]:
+    if has["HAS_BELTS"] or has["HAS_STATIC"]:
         for row, wall in zip(rows, body.scene.walls, strict=True):
             row.append(None if wall.speed is msgspec.UNSET else wall.speed)
+            if has["HAS_STATIC"]:
+                row.append(None if wall.static_friction is msgspec.UNSET else wall.static_friction)
     return rows
 
 
@@ -136,8 +138,11 @@ def _contact(system: System) -> dict[str, Any] | None:
     }
 
 
-def _grips(grips: Grips | None) -> dict[str, Any] | None:
-    return None if grips is None else {"walls": grips.walls, "springs": grips.springs}
+def _grips(grips: Grips | None, has: Mapping[str, bool]) -> dict[str, Any] | None:
+    if grips is None:
+        return None
+    sliding = {"sliding": grips.sliding or ()} if has["HAS_STATIC"] else {}
+    return {"walls": grips.walls, "springs": grips.springs, **sliding}
 
 
 def _ground(ground: sim.Ground) -> dict[str, float]:

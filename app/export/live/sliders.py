@@ -16,8 +16,8 @@ TUTORIAL = "symplectic_euler"
 LAW = "force_law"
 """The one choice that a file has."""
 
-_BELT = 12
-"""Where the script has the speed of a wall."""
+_BELT, _STATIC = 12, 13
+"""Where the script has the speed of a wall, and its coefficient of static friction."""
 
 _SETS: dict[str, tuple[str | int, ...]] = {
     "linear_stiffness": ("all", "stiffness"),
@@ -40,6 +40,7 @@ _SETS: dict[str, tuple[str | int, ...]] = {
     "ground_sideways": ("field", "ground", "sideways"),
     "wall_friction": ("walls",),
     "belt_speed": ("walls", _BELT),
+    "static_friction": ("walls", _STATIC),
     "contact_stiffness": ("field", "contact", "stiffness"),
     "contact_friction": ("field", "contact", "friction"),
     "dt": (),  # a number of the clock

@@ -17,7 +17,9 @@ GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
 GIVEN_BELTS = [(0.0,)]
+GIVEN_STATIC = [(0.0,)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
+GIVEN_SLIDING = [(0, 0)]
 GIVEN_MOTORS = [(0, 1.0, 1.0, 1.0, -1)]
 GIVEN_RAILS = [(0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
@@ -137,6 +139,11 @@ BELTS = [speed for (speed,) in GIVEN_BELTS]  # of the surface of each wall, alon
 STRETCH = np.zeros((len(WALLS), len(MASSES)))
 PLACE = np.full((len(WALLS), len(MASSES)), np.nan)
 # endif
+# ifdef HAS_STATIC
+STATIC = [coefficient for (coefficient,) in GIVEN_STATIC]  # of the static friction of each wall
+SLIDES = np.zeros((len(WALLS), len(MASSES)), bool)  # whether each mass slides on each wall
+WHOLE = 1.0 - 1e-9  # part of the largest stretch from which on one does
+# endif
 
 # endif
 # ifdef HAS_GRIPPED
@@ -148,6 +155,11 @@ GRIPPED = GIVEN_GRIPPED
 # A row for each mass that moves only along a rail: which it is, and the unit vector of the rail.
 RAILS = np.array(GIVEN_RAILS)
 RAILED, WAY = RAILS[:, 0].astype(int), RAILS[:, 1:]
+
+# endif
+# ifdef HAS_SLIDING
+# A row for each mass that slides at the start on a wall with static friction: wall and mass.
+SLIDING = GIVEN_SLIDING
 
 # endif
 # ifdef HAS_CIRCLES
@@ -189,6 +201,14 @@ def stretches(k, x):
 
 
 # endif
+# ifdef HAS_STATIC
+def limits(k):
+    """The coefficient of the friction between a wall and each mass."""
+    friction = WALLS[k][5]
+    return np.where(SLIDES[k], friction, max(STATIC[k], friction))
+
+
+# endif
 # ifdef HAS_WALLS
 def touch(k, x, v):
     """How deep masses are inside a wall (px), and its push and friction (px/s^2).
@@ -209,6 +229,9 @@ def touch(k, x, v):
     gain -= hysteresis * np.tanh(out / np.maximum(slow, 1e-300))
     # endif
     push = hardness * depth**2 * np.maximum(gain, 0.0) / (1.0 + power) ** 0.25
+    # ifdef HAS_STATIC
+    friction = limits(k)
+    # endif
     most = friction * push
     rub = most * np.tanh(along / (slip**4 + (DT * most) ** 4) ** 0.25)
     # ifdef HAS_GRIPS
@@ -230,6 +253,16 @@ def stick(x, v):
             depth, push, _ = touch(k, x, v)
             stretch, place = stretches(k, x)
             most = wall[5] * push / softened(wall[-2])
+            # ifdef HAS_STATIC
+            along = v[:, 1] * wall[2] - v[:, 0] * wall[3]
+            # ifdef HAS_BELTS
+            along -= BELTS[k]
+            # endif
+            begins = ~SLIDES[k] & (STATIC[k] > wall[5])
+            begins &= abs(stretch) >= WHOLE * limits(k) * push / softened(wall[-2])
+            most = np.where(begins | SLIDES[k], most, limits(k) * push / softened(wall[-2]))
+            SLIDES[k] = (depth > 0.0) & (begins | SLIDES[k] & (stretch * along > 0.0))
+            # endif
             STRETCH[k], PLACE[k] = np.clip(stretch, -most, most), np.where(depth > 0.0, place, np.nan)
 
 
@@ -452,6 +485,10 @@ if __name__ == "__main__":
     # ifdef HAS_GRIPPED
     for wall, mass, stretch in GRIPPED:
         STRETCH[wall, mass], PLACE[wall, mass] = stretch, stretches(wall, x)[1][mass]
+    # endif
+    # ifdef HAS_SLIDING
+    for wall, mass in SLIDING:
+        SLIDES[wall, mass] = True
     # endif
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else GIVEN_STEPS
     for i in range(steps):

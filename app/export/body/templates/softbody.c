@@ -26,6 +26,7 @@
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
 #define GIVEN_GRIPPED { { 0 } }
+#define GIVEN_SLIDING { { 0 } }
 #define GIVEN_MOTORS { { 0 } }
 #define GIVEN_RAILS { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
@@ -90,6 +91,13 @@ static const struct {
     double x, y;  // the unit vector of the rail
 } rail[] = GIVEN_RAILS;
 enum { RAILS = sizeof rail / sizeof *rail };
+
+# endif
+# ifdef HAS_SLIDING
+static const struct {
+    int wall, mass;  // that slides on it at the start, in spite of static friction
+} sliding[] = GIVEN_SLIDING;
+enum { SLIDING = sizeof sliding / sizeof *sliding };
 
 # endif
 # ifdef HAS_CIRCLES
@@ -175,6 +183,13 @@ static double stiffness(const softbody *body, int k) {
 }
 
 # endif
+# ifdef HAS_STATIC
+// The coefficient of the friction between wall k and mass i.
+static double limit(const softbody *body, int k, int i) {
+    return body->grip[k][i].slides ? body->wall[k].friction : fmax(body->wall[k].still, body->wall[k].friction);
+}
+
+# endif
 # ifdef HAS_WALLS
 // Whether mass i is inside wall k, and the push and the friction then, px/s^2. The push grows with
 // the square of the depth, softened so that a long step makes no energy.
@@ -195,7 +210,11 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
     gain -= body->wall[k].hysteresis * tanh(out / (slow + 1e-300));
 # endif
     *push = elastic * fmax(gain, 0.0) / pow(1.0 + power, 0.25);
+# ifdef HAS_STATIC
+    double most = limit(body, k, i) * *push, slip = pow(pow(body->wall[k].slip, 4) + pow(SOFTBODY_DT * most, 4), 0.25);
+# else
     double most = body->wall[k].friction * *push, slip = pow(pow(body->wall[k].slip, 4) + pow(SOFTBODY_DT * most, 4), 0.25);
+# endif
     *rub = most * tanh(along / slip);
 # ifdef HAS_GRIPS
     if (body->wall[k].grip > 0.0) {
@@ -207,6 +226,26 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
 }
 
 # endif
+# ifdef HAS_STATIC
+// Notes the stretch of the tangential spring between wall k and mass i, which is pushed. Where that is as long as
+// static friction bears, the mass slides, until it turns round.
+static void slide(softbody *body, int k, int i, double push) {
+    const softbody_wall *wall = &body->wall[k];
+    softbody_grip *grip = &body->grip[k][i];
+    double reach = push / stiffness(body, k), most = limit(body, k, i) * reach;
+    double along = body->mass[i].vy * wall->nx - body->mass[i].vx * wall->ny;
+# ifdef HAS_BELTS
+    along -= wall->speed;
+# endif
+    grip->stretch = clamped(stretch(body, k, i), most);
+    if (grip->slides) grip->slides = grip->stretch * along > 0.0;
+    else if (wall->still > wall->friction && fabs(grip->stretch) >= (1.0 - 1e-9) * most) {
+        grip->slides = 1;
+        grip->stretch = clamped(grip->stretch, wall->friction * reach);
+    }
+}
+
+# endif
 # ifdef HAS_GRIPS
 // After a step, notes the stretch of each tangential spring. What is more than friction bears has slid.
 static void stick(softbody *body) {
@@ -215,7 +254,12 @@ static void stick(softbody *body) {
         if (body->wall[k].grip == 0.0) continue;
         for (int i = 0; i < SOFTBODY_MASSES; i++) {
             int holds = touches(body, k, i, &push, &rub);
+# ifdef HAS_STATIC
+            if (holds) slide(body, k, i, push);
+            else body->grip[k][i].slides = 0;
+# else
             if (holds) body->grip[k][i].stretch = clamped(stretch(body, k, i), body->wall[k].friction * push / stiffness(body, k));
+# endif
             body->grip[k][i].place = place(body, k, i);
             body->grip[k][i].holds = holds;
         }
@@ -503,6 +547,9 @@ void softbody_reset(softbody *body) {
         grip->holds = 1, grip->stretch = gripped[g].stretch, grip->place = place(body, k, i);
     }
 # endif
+# ifdef HAS_SLIDING
+    for (int s = 0; s < SLIDING; s++) body->grip[sliding[s].wall][sliding[s].mass].slides = 1;
+# endif
 }
 
 void softbody_step(softbody *body) {
@@ -564,6 +611,9 @@ void softbody_move_wall(softbody *body, int wall, double x, double y) {
     body->wall[wall].x = x, body->wall[wall].y = y;
 # ifdef HAS_GRIPS
     for (int i = 0; i < SOFTBODY_MASSES; i++) body->grip[wall][i].holds = 0;
+# ifdef HAS_STATIC
+    for (int i = 0; i < SOFTBODY_MASSES; i++) body->grip[wall][i].slides = 0;
+# endif
 # endif
 }
 

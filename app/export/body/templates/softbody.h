@@ -98,6 +98,9 @@ typedef struct {
 # ifdef HAS_BELTS
     double speed;     // of its surface along (-ny, nx), px/s
 # endif
+# ifdef HAS_STATIC
+    double still;     // coefficient of static friction; one below `friction` counts as that
+# endif
 } softbody_wall;
 
 # ifdef HAS_GRIPS
@@ -105,6 +108,9 @@ typedef struct {
     int holds;       // there is a tangential spring between a wall and a mass
     double stretch;  // px
     double place;    // where along the wall the mass was when it had this stretch, px
+# ifdef HAS_STATIC
+    int slides;      // static friction has been too small, and the mass has not turned round since
+# endif
 } softbody_grip;
 
 # endif

@@ -23,6 +23,9 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * // ifdef HAS_BELTS
  *   and, at `BELT`, the speed of the surface along the wall, px/s, or null
  * // endif
+ * // ifdef HAS_STATIC
+ *   and, at `STATIC`, the coefficient of static friction, or null
+ * // endif
  * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
  *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
  * @typedef {{across: number, along: number}} Medium kg/(px s)
@@ -31,7 +34,7 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number,
  *   lost: Lost, tangential: Tangential, margin: number, apart: number[][]}} Contact
  *   px, kg/(px s²), 1, px/s; px; for each spring, the masses that never touch it
- * @typedef {{walls: number[][], springs: number[][]}} Grips of the tangential springs of walls and of springs: wall or spring,
+ * @typedef {{walls: number[][], springs: number[][], sliding?: number[][]}} Grips of the tangential springs of walls and of springs: wall or spring,
  *   mass, and stretch, px
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
@@ -100,6 +103,12 @@ const DEGREE = Math.PI / 180;
 // ifdef HAS_BELTS
 /** Where a wall has the speed of its surface. */
 export const BELT = 12;
+// endif
+// ifdef HAS_STATIC
+/** Where a wall has its coefficient of friction, and that of static friction. */
+const [SLIDING, STATIC] = [5, 13];
+/** Part of the largest stretch from which a tangential spring counts as sliding: it is cut to that, rounded. */
+const WHOLE = 1 - 1e-9;
 // endif
 /** Of a circle, radians. */
 export const TURN = 2 * Math.PI;
@@ -203,6 +212,10 @@ export class Body {
     this.grips = new Map();
     /** @type {Map<number, number[]>[]} */
     this.wallGrips = this.walls.map(() => new Map());
+    // ifdef HAS_STATIC
+    /** Whether friction fell in the last step, as static friction was too small for a mass. */
+    this.jumped = false;
+    // endif
     this.#grip(data.grips);
     this.refresh();
     this.flex();
@@ -616,7 +629,7 @@ export class Body {
    */
   #forMassesIn(k, h, see) {
     const { positions: x, velocities: v, held } = this;
-    const [px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis, calm, stiffness, resisting] = this.walls[k];
+    let [px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis, calm, stiffness, resisting] = this.walls[k];
     for (let m = 0; m < this.masses; m++) {
       const i = 2 * m;
       const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
@@ -626,6 +639,9 @@ export class Body {
       const place = x[i + 1] * nx - x[i] * ny;
       const was = stiffness ? this.wallGrips[k].get(m) : undefined;
       let stretch = was ? was[0] + (place - was[1]) : 0;
+      // ifdef HAS_STATIC
+      friction = this.#limit(k, m);
+      // endif
       // ifdef HAS_BELTS
       const belt = this.walls[k][BELT] ?? 0;
       along -= belt;
@@ -642,6 +658,9 @@ export class Body {
   /** After a step of h seconds, note the stretch of each tangential spring, and let sliders slide. @param {number} h */
   stick(h) {
     if (this.contact) stickToSprings(this, this.contact, h);
+    // ifdef HAS_STATIC
+    this.jumped = false;
+    // endif
     this.walls.forEach((wall, k) => {
       if (!wall[10]) return;
       const [stiffness] = softened([wall[10], wall[11]], h, 1);
@@ -651,11 +670,48 @@ export class Body {
         // ifdef HAS_BELTS
         next.get(i / 2).push(this.time);
         // endif
+        // ifdef HAS_STATIC
+        this.#slide(k, i / 2, next.get(i / 2), stretch, push / stiffness);
+        // endif
       });
       this.wallGrips[k] = next;
     });
   }
 
+  // ifdef HAS_STATIC
+  /** The coefficient of the friction between a wall and a mass. @param {number} k @param {number} m */
+  #limit(k, m) {
+    const wall = this.walls[k];
+    const slides = this.wallGrips[k].get(m)?.at(-1);
+    return wall[STATIC] > wall[SLIDING] && !slides ? wall[STATIC] : wall[SLIDING];
+  }
+
+  /**
+   * Let a mass slide for which static friction is too small, until it turns round. The last number of what is remembered says
+   * whether it slides.
+   *
+   * @param {number} k @param {number} m @param {number[]} grip what is remembered, its stretch first @param {number} stretch px
+   * @param {number} reach the largest stretch by a friction of 1, px
+   */
+  #slide(k, m, grip, stretch, reach) {
+    const { velocities: v } = this;
+    const wall = this.walls[k];
+    const limit = this.#limit(k, m);
+    let slides = 0;
+    if (wall[STATIC] > wall[SLIDING]) {
+      grip[0] = clamp(stretch, limit * reach);
+      const along = v[2 * m + 1] * wall[2] - v[2 * m] * wall[3] - (wall[12] ?? 0);
+      if (limit < wall[STATIC]) slides = Number(grip[0] * along > 0);
+      else if (Math.abs(grip[0]) >= WHOLE * limit * reach) {
+        slides = 1;
+        this.jumped = true;
+        grip[0] = clamp(grip[0], wall[SLIDING] * reach);
+      }
+    }
+    grip.push(slides);
+  }
+
+  // endif
   /** Let tangential springs have the stretches with which the body was written. @param {Grips | null} grips */
   #grip(grips) {
     const { positions: x } = this;
@@ -664,6 +720,9 @@ export class Body {
       this.wallGrips[k].set(m, [stretch, x[2 * m + 1] * nx - x[2 * m] * ny]);
       // ifdef HAS_BELTS
       this.wallGrips[k].get(m)?.push(this.time);
+      // endif
+      // ifdef HAS_STATIC
+      this.wallGrips[k].get(m)?.push(Number(grips?.sliding?.some(([wall, mass]) => wall === k && mass === m) ?? false));
       // endif
     }
     if (this.contact && grips) gripSprings(this, this.contact, grips.springs);

@@ -147,6 +147,9 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
     press(body, presses, h);
     step(body, h, lead);
     body.stick(h);
+    // ifdef HAS_STATIC
+    if (body.jumped && method === "verlet") accelerateHere(body, h);
+    // endif
     if (settle(body) && method === "verlet") accelerateHere(body, h);
   }
   hands.forEach(({ mass }, i) => {
