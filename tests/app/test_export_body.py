@@ -185,6 +185,8 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
         changed(LOOSE, walls=(changed(LOOSE.walls[0], static_friction=0.6, tangential_hardness=4000.0),)),
         (),
     ),
+    "a solid block on a belt": (sim.load_scene("stick-slip"), ()),
+    "a crane with a solid load": (sim.load_scene("crane"), ("dt=0.001",)),
     "a walker on a belt": (sim.load_scene("treadmill"), ("dt=0.001",)),
     "constant forces": (LOADED, ()),
     "muscles": (MUSCULAR, ()),
@@ -461,6 +463,16 @@ def test_the_template_in_python_is_clean_as_it_stands() -> None:
 
 
 # ------------------------------------------------------------------------- what programs say
+def test_a_file_has_no_line_for_what_its_scene_lacks() -> None:
+    rope = sim.Simulation(sim.load_scene("rope")).capture()
+    texts = [live_html(rope)[0].decode(), javascript_program(rope)[0].decode()]
+    texts += map(bytes.decode, (python_program(body_of(rope.scene))[0], *c_program(body_of(rope.scene))[:2]))
+    words = ("keepOnRail", "reachable", "RAIL", "MOTOR", "otors", "steer", "BELT", "STATIC", "slides", "sizes")
+    for word in (*words, "SIZES", "erived", "ifdef HAS"):
+        for text in texts:
+            assert word not in text, word
+
+
 def test_a_program_has_only_what_the_scene_needs() -> None:
     bare = changed(sim.rope(masses=3, length=100.0, driven=None), air_friction=0.0, gravity=(0.0, 0.0))
     springs = tuple(changed(spring, damping=0.0) for spring in bare.linear_springs)
@@ -493,6 +505,14 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     setting = "contact_distance" if "contact" in said else "turbulence"
     assert softrod("export", name, "--json", tmp_path / "body.json").returncode == 0
     assert softrod("export", name, "--c", out, "--set", f"{setting}=0").returncode == 0
+
+
+def test_a_program_refuses_solid_masses_that_may_touch_each_other(tmp_path: Path, softrod: Softrod) -> None:
+    said = "softrod: a program in Python or C cannot do solid masses that touch each other\n"
+    refused(softrod("export", "cradle", "--c", tmp_path / "body.c"), said)
+    refused(softrod("export", "cradle", "--python", tmp_path / "body.py"), said)
+    assert softrod("export", "cradle", "--javascript", tmp_path / "body.mjs").returncode == 0
+    assert json.loads(body_json(body_of(sim.load_scene("cradle"))))["masses"]["solid"][1] == 1
 
 
 @pytest.mark.parametrize("belt", [msgspec.UNSET, 30.0])

@@ -32,7 +32,7 @@ from tests.app.html_pages import held
 from tests.page.check import FOLDER, NODE
 from tests.sim.changes import with_joints, with_springs
 from tests.sim.fuzzing import wild_scene, wild_world, with_muscles
-from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around, block_on_a_belt
+from tests.sim.surrounded import ALONE, MOTORISED, ON_RAILS, ONE_SIDED, SOLID, around, block_on_a_belt
 
 STEPS = 400
 CLOSE = 1e-9
@@ -199,7 +199,7 @@ def test_springs_and_joints_of_one_side_yield_and_break_where_they_act() -> None
         assert np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
 
 
-@pytest.mark.parametrize("kind", [ON_RAILS, MOTORISED])
+@pytest.mark.parametrize("kind", [ON_RAILS, MOTORISED, SOLID, ALONE])
 def test_what_only_some_bodies_have_acts_as_in_the_solver(kind: str) -> None:
     words = ("force_law=conservative", "dt=0.0002", "linear_stiffness=20000", "linear_damping=60")
     scenes = [apply_assignments(by(around(kind), method), words) for method in METHODS]
@@ -328,7 +328,7 @@ def test_held_keys_steer_motors_as_in_the_solver() -> None:
         (script,) = run_script([told | {"presses": {"factor": 1, "angle": 0, "steered": [way, 0]}}])
         assert np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
         ways.append(simulation.positions[:, 0].mean())
-    assert ways[0] > ways[1] + 10.0
+    assert ways[0] > ways[1] + 5.0
 
 
 def test_what_is_measured_has_the_names_and_values_of_the_solver() -> None:

@@ -54,6 +54,7 @@ class Body:
         positions, velocities: (n, 2) px and px/s; a held mass is at rest unless it goes round a circle.
         mass: (n,) kg.
         radius: (n,) px.
+        size: (n,) px, the radius of each solid mass, 0 of all others.
         loads: the constant forces on masses, kg px/s², by mass.
         held: (n,) whether a mass is held.
         circles: the circles on which held masses go, and where each is at time zero, px, by mass.
@@ -79,6 +80,7 @@ class Body:
     velocities: Floats
     mass: Floats
     radius: Floats
+    size: Floats
     loads: dict[int, tuple[float, float]]
     held: NDArray[np.bool_]
     circles: dict[int, tuple[Circle, tuple[float, float]]]
@@ -147,6 +149,7 @@ class Body:
             velocities=velocities,
             mass=np.array([m.mass for m in scene.masses], float),
             radius=np.array([m.radius for m in scene.masses], float),
+            size=np.array([m.radius if m.solid else 0.0 for m in scene.masses], float),
             loads={i: force for i, force in enumerate(map(constant_force, scene.masses)) if force},
             held=held,
             circles=circles,

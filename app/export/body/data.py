@@ -177,6 +177,8 @@ def _masses(body: Body) -> dict[str, Sequence[Any]]:
     }
     if body.loads:
         columns["force"] = [body.loads.get(i, (0.0, 0.0)) for i in range(len(body.mass))]
+    if body.size.any():
+        columns["solid"] = (body.size > 0.0).astype(int).tolist()
     if body.rails:
         columns["rail"] = [body.rails.get(i, NO_RAIL) for i in range(len(body.mass))]
     return columns

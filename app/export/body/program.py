@@ -19,7 +19,6 @@ from sim.errors import InputError
 from sim.forces.all import TERMS
 from sim.forces.muscles import steer_of
 from sim.forces.touch.walls import WallRow
-from sim.scene.columns import is_set_in_any
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, Scene, is_damageable, is_steered, shown_name
 from sim.solve.registry import METHODS
@@ -86,6 +85,8 @@ class Plan:
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
         check_forces(body.scene)
+        if np.count_nonzero(body.size) > 1:
+            raise InputError("a program in Python or C cannot do solid masses that touch each other")
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "
@@ -128,6 +129,7 @@ class Plan:
             "FILLINGS": bool(body.loops),
             "WALLS": len(body.walls) > 0,
             "HYSTERESIS": bool(body.walls[:, _HYSTERESIS].any()),
+            "SIZES": len(body.walls) > 0 and bool(body.size.any()),
             "GRIPS": bool(body.walls[:, _GRIP].any()),
             "GRIPPED": bool(self._gripped()),
             "SLIDING": bool(self._sliding()),
@@ -176,6 +178,7 @@ class Plan:
             "RESISTED": self._resisted(),
             "GRIPPED": self._gripped(),
             "SLIDING": self._sliding(),
+            "SIZES": [(size,) for size in body.size.tolist()],
             "BELTS": [(wall.speed or 0.0,) if has["HAS_BELTS"] else () for wall in body.scene.walls],
             "STATIC": [
                 (wall.static_friction or 0.0,) if has["HAS_STATIC"] else () for wall in body.scene.walls
@@ -378,13 +381,10 @@ def unknown_forces(scene: Scene) -> list[str]:
     """Names of the forces on a scene's body that are not known outside softrod."""
     acting = (term for term in TERMS if term.acts(scene))
     names = [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
-    solid = is_set_in_any(scene.masses, "solid")
     muscles = [part.muscle for part in (*scene.linear_springs, *scene.angular_springs) if part.muscle]
-    new = {
-        "muscles that keys work": bool(scene.beat) and any(muscle.keys for muscle in muscles),
-        "solid masses": solid,
-    }
-    return [*names, *(name for name, is_there in new.items() if is_there)]
+    if scene.beat and any(muscle.keys for muscle in muscles):
+        names.append("muscles that keys work")
+    return names
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:

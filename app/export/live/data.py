@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
 from typing import Any
@@ -79,7 +80,7 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
             }
             for loop in body.loops
         ],
-        "contact": _contact(system),
+        "contact": _contact(system, has),
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
         "grips": _grips(moment.grips, has),
@@ -91,6 +92,8 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
 def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
     """The fields that there are with some features only."""
     data: dict[str, Any] = {}
+    if has["HAS_SOLID"]:
+        data["sizes"] = body.size.tolist()
     if has["HAS_RAILS"]:
         data["rails"] = [[mass, *way] for mass, way in body.rails.items()]
     if has["HAS_MOTORS"]:
@@ -118,7 +121,7 @@ def _sides(body: Body) -> dict[str, list[int]] | None:
     return {"springs": body.spring_side.tolist(), "joints": body.joint_side.tolist()}
 
 
-def _contact(system: System) -> dict[str, Any] | None:
+def _contact(system: System, has: Mapping[str, bool]) -> dict[str, Any] | None:
     contact = system.body.environment.contact
     if not contact.present:
         return None
@@ -126,7 +129,17 @@ def _contact(system: System) -> dict[str, Any] | None:
     for s, spring in enumerate(system.spring_order.tolist()):
         slots = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
         apart[spring] = system.mass_order[slots - 1].tolist()
+    solid: dict[str, Any] = {}
+    if has["HAS_SOLID"]:
+        slots = contact.end_a[system.body.springs :]
+        starts = contact.apart_start[system.body.springs :]
+        never = [
+            system.mass_order[contact.apart[first:behind] - 1].tolist()
+            for first, behind in itertools.pairwise(starts.tolist())
+        ]
+        solid["solid"] = [*zip(system.mass_order[slots - 1].tolist(), never, strict=True)]
     return {
+        **solid,
         "distance": contact.distance,
         "stiffness": contact.stiffness,
         "friction": contact.friction,

@@ -16,6 +16,7 @@ GIVEN_LOADS = [(0, 0.0, 0.0)]
 GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
+GIVEN_SIZES = [(0.0,)]
 GIVEN_BELTS = [(0.0,)]
 GIVEN_STATIC = [(0.0,)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
@@ -130,6 +131,9 @@ FILLINGS = GIVEN_FILLINGS
 # At the end, the stiffness and damping of the tangential springs by which friction holds (1/s^2, 1/s).
 # endif
 WALLS = GIVEN_WALLS
+# ifdef HAS_SIZES
+SIZES = np.array(GIVEN_SIZES)[:, 0]  # the radius of each mass that is solid, px, 0 of all others
+# endif
 # ifdef HAS_BELTS
 BELTS = [speed for (speed,) in GIVEN_BELTS]  # of the surface of each wall, along it, px/s
 # endif
@@ -216,7 +220,11 @@ def touch(k, x, v):
     The push grows with the square of the depth, softened so that a long step makes no energy.
     """
     px, py, nx, ny, hardness, friction, slip, loss = WALLS[k][:8]
+    # ifdef HAS_SIZES
+    depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny + SIZES, 0.0)
+    # else
     depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)
+    # endif
     out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny
     # ifdef HAS_BELTS
     along -= BELTS[k]

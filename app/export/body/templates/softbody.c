@@ -26,6 +26,7 @@
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
 #define GIVEN_GRIPPED { { 0 } }
+#define GIVEN_SIZES { { 0.0 } }
 #define GIVEN_SLIDING { { 0 } }
 #define GIVEN_MOTORS { { 0 } }
 #define GIVEN_RAILS { { 0 } }
@@ -91,6 +92,12 @@ static const struct {
     double x, y;  // the unit vector of the rail
 } rail[] = GIVEN_RAILS;
 enum { RAILS = sizeof rail / sizeof *rail };
+
+# endif
+# ifdef HAS_SIZES
+static const struct {
+    double radius;  // px, of a mass that is solid; 0 of any other
+} solid[SOFTBODY_MASSES] = GIVEN_SIZES;
 
 # endif
 # ifdef HAS_SLIDING
@@ -197,6 +204,9 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
     double nx = body->wall[k].nx, ny = body->wall[k].ny, hardness = body->wall[k].hardness;
     double depth = (body->wall[k].x - body->mass[i].x) * nx + (body->wall[k].y - body->mass[i].y) * ny;
     double out = body->mass[i].vx * nx + body->mass[i].vy * ny, along = body->mass[i].vy * nx - body->mass[i].vx * ny;
+# ifdef HAS_SIZES
+    depth += solid[i].radius;
+# endif
     if (depth <= 0.0) return 0;
 # ifdef HAS_BELTS
     along -= body->wall[k].speed;

@@ -34,8 +34,15 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number,
  *   lost: Lost, tangential: Tangential, margin: number, apart: number[][]}} Contact
  *   px, kg/(px s²), 1, px/s; px; for each spring, the masses that never touch it
- * @typedef {{walls: number[][], springs: number[][], sliding?: number[][]}} Grips of the tangential springs of walls and of springs: wall or spring,
+ * // ifdef HAS_SOLID
+ * @typedef {Contact & {solid: [mass: number, apart: number[]][]}} SolidContact with solid masses, each with those that never
+ *   touch it
+ * // endif
+ * @typedef {{walls: number[][], springs: number[][]}} Grips of the tangential springs of walls and of springs: wall or spring,
  *   mass, and stretch, px
+ * // ifdef HAS_STATIC
+ * @typedef {Grips & {sliding: number[][]}} SlidingGrips with what slides in spite of static friction: wall and mass
+ * // endif
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
@@ -91,6 +98,9 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {Muscles | null} muscles
  * // ifdef HAS_MOTORS
  * @property {Motor[]} [motors]
+ * // endif
+ * // ifdef HAS_SOLID
+ * @property {number[]} [sizes] the radius of each solid mass, px, 0 of all others
  * // endif
  * // ifdef HAS_RAILS
  * @property {Rail[]} [rails]
@@ -169,6 +179,9 @@ export class Body {
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
     this.contact = data.contact && { ...data.contact };
     this.muscles = data.muscles && { ...data.muscles };
+    // ifdef HAS_SOLID
+    this.sizes = Float64Array.from(data.sizes ?? data.mass.map(() => 0));
+    // endif
     // ifdef HAS_MOTORS
     this.motors = data.motors ?? [];
     // endif
@@ -632,7 +645,10 @@ export class Body {
     let [px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis, calm, stiffness, resisting] = this.walls[k];
     for (let m = 0; m < this.masses; m++) {
       const i = 2 * m;
-      const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
+      let depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
+      // ifdef HAS_SOLID
+      depth += this.sizes[m];
+      // endif
       if (!(depth > 0) || held[m]) continue;
       const speed = v[i] * nx + v[i + 1] * ny;
       let along = v[i + 1] * nx - v[i] * ny;
@@ -722,7 +738,8 @@ export class Body {
       this.wallGrips[k].get(m)?.push(this.time);
       // endif
       // ifdef HAS_STATIC
-      this.wallGrips[k].get(m)?.push(Number(grips?.sliding?.some(([wall, mass]) => wall === k && mass === m) ?? false));
+      const { sliding = [] } = /** @type {SlidingGrips} */ (grips);
+      this.wallGrips[k].get(m)?.push(Number(sliding.some(([wall, mass]) => wall === k && mass === m)));
       // endif
     }
     if (this.contact && grips) gripSprings(this, this.contact, grips.springs);

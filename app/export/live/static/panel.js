@@ -5,7 +5,7 @@
  * @typedef {import("./live.js").About} About
  * @typedef {import("./live.js").Live} Live
  * @typedef {import("./settings.js").Setting} Setting
- * @typedef {import("./steps.js").Presses} Presses
+ * @typedef {import("./steps.js").Steering} Steering
  */
 import { heldArrow } from "../../../ui/hands/arrow_keys.js";
 import { listenToPad, releasePad } from "../../../ui/hands/arrow_pad.js";
@@ -106,7 +106,7 @@ export class Panel {
     this.others.hidden = folded.length === 0;
   }
 
-  /** What held keys do in a second. @returns {Presses} */
+  /** What held keys do in a second. @returns {Steering} */
   get presses() {
     const { up, right } = this.about;
     const held = (/** @type {string} */ key) => this.#held.has(key);

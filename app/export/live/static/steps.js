@@ -4,8 +4,11 @@
  *
  * @typedef {import("./body.js").Body} Body
  * @typedef {{mass: number, x: number, y: number}} Hand a mass that is led, and where to, px
- * @typedef {{factor: number, angle: number, steered?: number[]}} Presses what held keys do in a second: a factor of all rest
- *   lengths, and degrees that all rest angles grow by; and how they steer motors, to the right and up
+ * @typedef {{factor: number, angle: number}} Presses what held keys do in a second: a factor of all rest lengths, and degrees
+ *   that all rest angles grow by
+ * // ifdef HAS_STEERING
+ * @typedef {Presses & {steered?: number[]}} Steering and how they steer motors, to the right and up
+ * // endif
  */
 import { TURN } from "./body.js";
 import { settle, yieldHere } from "./limits.js";
@@ -137,7 +140,8 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
     }
   };
   // ifdef HAS_STEERING
-  if (presses.steered) body.steered = presses.steered;
+  const { steered } = /** @type {Steering} */ (presses);
+  if (steered) body.steered = steered;
   // endif
   const step = METHODS[method];
   lead(start, start);
