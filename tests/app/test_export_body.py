@@ -467,7 +467,18 @@ def test_a_file_has_no_line_for_what_its_scene_lacks() -> None:
     rope = sim.Simulation(sim.load_scene("rope")).capture()
     texts = [live_html(rope)[0].decode(), javascript_program(rope)[0].decode()]
     texts += map(bytes.decode, (python_program(body_of(rope.scene))[0], *c_program(body_of(rope.scene))[:2]))
-    words = ("keepOnRail", "reachable", "RAIL", "MOTOR", "otors", "steer", "BELT", "STATIC", "slides", "sizes")
+    words = (
+        "keepOnRail",
+        "reachable",
+        "RAIL",
+        "MOTOR",
+        "otors",
+        "steer",
+        "BELT",
+        "STATIC",
+        "slides",
+        "sizes",
+    )
     for word in (*words, "SIZES", "erived", "ifdef HAS"):
         for text in texts:
             assert word not in text, word

@@ -20,10 +20,11 @@ import sim
 from app.export.body.features import features_of
 from app.export.body.program import LAWS_IN_PROGRAMS, unknown_forces
 from app.export.live.data import body_data
-from app.export.live.lesson import MEASURED
+from app.export.live.lesson import MEASURED, OF_MASSES
 from app.export.live.live import live_html
 from app.export.live.program import javascript_program
 from app.export.live.sliders import KEYS
+from sim.scene.lesson import Lesson, Step
 from sim.settings import apply_assignments, set_value
 from sim.store.files import list_scenes
 from tests.amount import NIGHT, part_of
@@ -344,6 +345,29 @@ def test_what_is_measured_has_the_names_and_values_of_the_solver() -> None:
         for one, value in zip(names, measured, strict=True):
             right = sim.quantity(one, scene).read(simulation)
             assert value == pytest.approx(right, rel=1e-6, abs=1e-6 * (1.0 + abs(right))), (name, one)
+
+
+def test_what_belongs_to_several_masses_and_formulas_have_the_values_of_the_solver() -> None:
+    names = [f"body{which}.{what}" for which in ("", "[2,4..6]") for what in OF_MASSES["body"]]
+    names += [f"mass3.{what}" for what in OF_MASSES["mass"]]
+    names += [
+        "mass1.y - mass0.y", "sqrt(mass3.vx^2 + mass3.vy^2)", "energy.kinetic / (2 * body[1..3].mass)",
+        "-abs(joint0.angle) + 30 [°]", "atan2(mass3.vy, mass3.vx)",
+        "sin(joint0.angle)", "1 / (mass1.x - mass1.x)",
+    ]  # fmt: skip
+    rope = replace(sim.load_scene("tutorial-3.3"), name="measured")
+    steps = tuple(Step(title=".", do=".", plots=(*names[i : i + 2],)) for i in range(0, len(names), 2))
+    scene = by(replace(rope, lesson=Lesson(steps=steps)), EULER)
+    data = live_html(sim.Simulation(scene).capture())[0]
+    about = about_of(data)
+    assert b"addDerived" in data
+    assert sum(len(step["plots"]) for step in about["lesson"]["steps"]) == len(names)
+    told = {"data": about["body"], "method": EULER, "h": scene.integrator.dt, "count": 50}
+    told |= {"measures": names, "derived": about["lesson"]["derived"]}
+    measured = run_script([told])[0]["measured"]
+    simulation = moved(scene, 50)
+    right = [sim.quantity(one, scene).read(simulation) for one in names]
+    assert measured.astype(float) == pytest.approx(np.array(right), rel=1e-9, abs=1e-6, nan_ok=True)
 
 
 def test_sliders_set_what_they_set_in_the_page() -> None:

@@ -23,7 +23,7 @@ from ..body.program import check_forces
 from ..clip import ClipFrame
 from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
 from .data import body_data
-from .lesson import lesson_data, lesson_notes, listed, scenes_of_runs, scenes_of_steps
+from .lesson import derived_of, lesson_data, lesson_notes, listed, scenes_of_runs, scenes_of_steps
 from .sliders import TUTORIAL, missing_labels, sliders
 
 DARK = "[data-dark]*"
@@ -56,6 +56,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     check_forces(scene, "a live file")
     title = html.escape(shown_name(scene))
     has = features_of(scene, *scenes_of_steps(scene), *scenes_of_runs(scene))
+    has["HAS_DERIVED"] = bool(derived_of(scene))
     style, script = _looks(), _script(*(name for name, needed in has.items() if needed))
     notes = _notes(scene)
     note = f"In this file {'; '.join(notes)}." if notes else ""
@@ -127,7 +128,7 @@ def _looks() -> str:
 @cache
 def _script(*features: str) -> str:
     """The script of scenes with these features and no others."""
-    return bundle(_FOLDER / "live.js", {name: name in features for name in features_of()})
+    return bundle(_FOLDER / "live.js", {name: name in features for name in (*features_of(), "HAS_DERIVED")})
 
 
 def _about(moment: sim.Moment, has: Mapping[str, bool]) -> dict[str, Any]:
