@@ -184,6 +184,8 @@ export class Body {
     // endif
     // ifdef HAS_MOTORS
     this.motors = data.motors ?? [];
+    /** Whether motors brake as they do at their speeds, where they are stiffest. */
+    this.atSpeed = false;
     // endif
     // ifdef HAS_STEERING
     /** What steers motors, each from -1 to 1: to the right, and up. */
@@ -531,7 +533,9 @@ export class Body {
       // ifdef HAS_STEERING
       if (motor[4] >= 0) wanted *= this.steered[motor[4]];
       // endif
-      const torque = motor[2] * Math.tanh((wanted - this.turning(q) + this.turning(p)) / motor[3]);
+      const turning = this.turning(q) - this.turning(p);
+      const part = this.atSpeed ? -turning / motor[3] : Math.tanh((wanted - turning) / motor[3]);
+      const torque = motor[2] * part;
       this.#turn(p, -torque, 0);
       this.#turn(q, torque, 0);
     }
