@@ -8,7 +8,10 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
+
+from .conditional import needed_lines
 
 _NAMED = re.compile(r'^import \{([\w\s,]+)\} from "(\.[\w./-]+)";$', re.MULTILINE)
 _WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
@@ -35,23 +38,27 @@ class BundleError(ValueError):
     """A module has a form that is not known here."""
 
 
-def bundle(start: Path) -> str:
+def bundle(start: Path, has: Mapping[str, bool] | None = None) -> str:
     """A module and all that it imports, as the text of one module without comments and indentation.
 
     Each of them becomes a function that returns what it exports. A module's own address is where it would be
     beside the first one. Private names of classes become ordinary ones, for browsers that do not know those.
 
+    Args:
+        start: the module.
+        has: what is needed of the modules, see `app.conditional`; all if it is None.
+
     Raises:
         BundleError: a module imports or exports in another form, or two import each other.
     """
-    return _Bundle(start.resolve()).text()
+    return _Bundle(start.resolve(), has).text()
 
 
 class _Bundle:
     """The modules that one imports, each once, after those that it needs."""
 
-    def __init__(self, start: Path) -> None:
-        self._start = start
+    def __init__(self, start: Path, has: Mapping[str, bool] | None) -> None:
+        self._start, self._has = start, has
         self._names = {start: "exported_by_none"}
         self._parts: dict[str, str] = {}
 
@@ -76,7 +83,7 @@ class _Bundle:
 
     def _included(self, path: Path) -> tuple[str, list[str]]:
         """The text of a module without its imports and exports, and what it exports."""
-        text = _PRIVATE.sub(r"\1$", _COMMENT.sub("", path.read_text(encoding="utf-8")))
+        text = _PRIVATE.sub(r"\1$", _COMMENT.sub("", _needed(path, self._has)))
         if any(line.replace(r"\`", "").count("`") % 2 for line in text.splitlines()):
             raise BundleError(f"{path}: a template of several lines is not known to the bundler")
 
@@ -97,6 +104,12 @@ class _Bundle:
             raise BundleError(f"{path}: {left[0]!r} is not known to the bundler")
         place = Path(os.path.relpath(path, self._start.parent)).as_posix()
         return _PLACE.sub(f'new URL("{place}", import.meta.url).href', text), exported
+
+
+def _needed(path: Path, has: Mapping[str, bool] | None) -> str:
+    """The text of a module, or what is needed of it."""
+    text = path.read_text(encoding="utf-8")
+    return text if has is None else "\n".join((*needed_lines(text, has), ""))
 
 
 def compact_style(*paths: Path) -> str:
@@ -139,17 +152,21 @@ def _split(selectors: str) -> list[str]:
     return parts
 
 
-def joined(start: Path) -> str:
+def joined(start: Path, has: Mapping[str, bool]) -> str:
     """A module and all that it imports, as the text of one module to be read: with comments and their types.
 
     It exports what the first one does.
+
+    Args:
+        start: the module.
+        has: what is needed of the modules, see `app.conditional`.
 
     Raises:
         BundleError: a module imports or exports in another form, or two have the same name at their top.
     """
     parts: dict[Path, str] = {}
     start = start.resolve()
-    _join(start, parts)
+    _join(start, has, parts)
     parts = {path: _EXPORT.sub(r"\1 \2", text) if path != start else text for path, text in parts.items()}
     text = "\n".join(parts.values())
     if left := re.search(r'^import\b.*|.*\bimport\(".*', text, re.MULTILINE):
@@ -161,11 +178,11 @@ def joined(start: Path) -> str:
     return re.sub(r"\n{3,}", "\n\n", text)
 
 
-def _join(path: Path, parts: dict[Path, str]) -> None:
+def _join(path: Path, has: Mapping[str, bool], parts: dict[Path, str]) -> None:
     """Adds the text of a module without its imports, after all that it needs."""
-    text = _HEAD.sub("", path.read_text(encoding="utf-8"))
+    text = _HEAD.sub("", _needed(path, has))
     for match in _NAMED.finditer(text):
         other = (path.parent / match[2]).resolve()
         if other not in parts:
-            _join(other, parts)
+            _join(other, has, parts)
     parts[path] = _BLANK.sub("", _TYPE.sub("", _NAMED.sub("", text))).strip() + "\n"

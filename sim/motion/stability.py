@@ -262,7 +262,8 @@ class StabilityMeter:
         start = self._start / max(float(np.sqrt((np.abs(self._start) ** 2).sum())), 1e-300)
         # A complex motion spans two dimensions, and the space grows from both.
         parts = [start.real, start.imag] if np.iscomplexobj(start) else [start]
-        coming = deque(((part + _NOISE * self._noise) * (root > 0.0)).ravel() for part in parts)
+        starts = (self._on_rails((part + _NOISE * self._noise) * (root > 0.0)) for part in parts)
+        coming = deque(start.ravel() for start in starts)
         while coming and known < size:
             q, others = coming.popleft(), basis[:known]
             for _ in range(2):  # twice makes it orthogonal up to rounding
@@ -272,9 +273,9 @@ class StabilityMeter:
                 continue
             basis[known] = q / norm
             w = basis[known].reshape(2, -1) * root
-            k_basis[known] = (self._by_positions(physics, w) * root).ravel()
+            k_basis[known] = self._on_rails(self._by_positions(physics, w) * root).ravel()
             yield
-            c_basis[known] = (self._by_velocities(physics, w) * root).ravel()
+            c_basis[known] = self._on_rails(self._by_velocities(physics, w) * root).ravel()
             q = scale * scale * k_basis[known] + weight * scale * c_basis[known]
             coming.append(q / max(float(np.sqrt(q @ q)), 1e-300))
             known += 1
@@ -310,6 +311,15 @@ class StabilityMeter:
         along[self._here] = step * (w[0] + 1j * w[1])
         change = ((forces(-along) - forces(along)) / (2.0 * step))[self._here]
         return np.array([change.real, change.imag])
+
+    def _on_rails(self, w: Floats) -> Floats:
+        """A motion, (2, n), without what is across rails."""
+        rails = self.system.body.environment.rails
+        if not rails.slot.size:
+            return w
+        kept, on, way = w.copy(), rails.slot - 1, rails.way.T
+        kept[:, on] = way * (way * w[:, on]).sum(0)
+        return kept
 
     def _flat(self, flat: Floats) -> Vectors:
         """A flat vector as complex numbers, one for each slot."""

@@ -36,7 +36,8 @@ from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
-from tests.sim.surrounded import ONE_SIDED, around
+from tests.sim.changes import with_joints
+from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around, block_on_a_belt
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -141,6 +142,8 @@ FLOATING = changed(
     DAMPED, medium=sim.Medium(across=0.4, along=0.1), wind=sim.Wind(velocity=(80.0, -30.0)), air_friction=0.0
 )
 LYING = changed(MUSCULAR, gravity=(0.0, 0.0), ground=sim.Ground(forward=0.1, backward=0.5, sideways=0.9))
+CALM = ("dt=0.0002", "linear_stiffness=20000", "linear_damping=60")
+"""With these, the girder does not tumble so that the last digit of its start grows to be seen."""
 ONE_SIDED_GIRDER = around(ONE_SIDED)
 """Its springs and joints begin and end to act as it moves."""
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
@@ -172,6 +175,19 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
         changed(LOOSE, walls=(changed(LOOSE.walls[0], tangential_hardness=4000.0),)),
         (),
     ),
+    "a belt": (changed(LOOSE, walls=(changed(LOOSE.walls[0], speed=-120.0),)), ()),
+    "a belt on which friction holds": (
+        changed(LOOSE, walls=(changed(LOOSE.walls[0], speed=40.0, tangential_hardness=4000.0),)),
+        (),
+    ),
+    "a block that sticks and slips": (block_on_a_belt(), ("dt=0.002",)),
+    "static friction on a slope": (
+        changed(LOOSE, walls=(changed(LOOSE.walls[0], static_friction=0.6, tangential_hardness=4000.0),)),
+        (),
+    ),
+    "a solid block on a belt": (sim.load_scene("stick-slip"), ()),
+    "a crane with a solid load": (sim.load_scene("crane"), ("dt=0.001",)),
+    "a walker on a belt": (sim.load_scene("treadmill"), ("dt=0.001",)),
     "constant forces": (LOADED, ()),
     "muscles": (MUSCULAR, ()),
     "muscles, angle law": (MUSCULAR, ("force_law=angle", "tempo=3")),
@@ -191,6 +207,14 @@ SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "parts of one side, stable spring": (
         ONE_SIDED_GIRDER,
         ("method=stable_spring", "dt=0.0005", "linear_stiffness=1000000"),
+    ),
+    "a cart on a rail": (sim.load_scene("cart"), ()),
+    "an anchor that goes to and fro on a rail": (sim.load_scene("kapitza"), ()),
+    "rails": (around(ON_RAILS), ("dt=0.0002",)),
+    **{f"motors, {law}": (around(MOTORISED), (*CALM, f"force_law={law}")) for law in LAWS_IN_PROGRAMS},
+    "motors, undamped": (
+        around(MOTORISED),
+        ("dt=0.0002", "force_law=tutorial", "linear_damping=0", "angular_damping=0"),
     ),
     "muscles that rest": (changed(MUSCULAR, beat=msgspec.UNSET), ()),
     **{
@@ -336,6 +360,36 @@ def test_a_module_for_games_has_contact_and_gusts_and_a_step_that_is_stable(
     assert printed(words) == pytest.approx(simulation.positions, abs=1e-6, rel=0.0)
 
 
+def test_motors_are_steered_in_programs_as_keys_steer_them(tmp_path: Path) -> None:
+    keys = ("left-right", "up-down")
+    scene = with_joints(
+        around(MOTORISED), motor=lambda i, joint: joint.motor and changed(joint.motor, keys=keys[i % 2])
+    )
+    simulation = sim.Simulation(apply_assignments(scene, ["method=symplectic_euler", *CALM]))
+    body = body_of(simulation.scene)
+    simulation.keys = ("right", "down")
+    simulation.step(STEPS)
+    (tmp_path / "body.py").write_bytes(python_program(body)[0])
+    program = runpy.run_path(str(tmp_path / "body.py"))
+    program["STEER"][:] = 1.0, -1.0
+    x, v = body.positions.copy(), body.velocities.copy()
+    for _ in range(STEPS):
+        program["step"](x, v, 0.0)
+    in_c(body, tmp_path)
+    (tmp_path / "main.c").write_text(
+        f'#include "body.h"\n#include <stdio.h>\nint main(void) {{\n    static body b;\n    body_reset(&b);\n'
+        f"    b.steer[0] = 1.0, b.steer[1] = -1.0;\n    for (int i = 0; i < {STEPS}; i++) body_step(&b);\n"
+        '    for (int i = 0; i < BODY_MASSES; i++) printf("%.17g %.17g\\n", b.mass[i].x, b.mass[i].y);\n'
+        "    return 0;\n}\n"
+    )
+    built = compiled(tmp_path / "main.c", tmp_path / "body.c", *SANITIZED, program=tmp_path / "steered")
+    (tmp_path / "body.mjs").write_bytes(javascript_program(body.moment)[0])
+    steered = by_javascript(tmp_path / "body.mjs", f"body.steer(1, -1); body.step({STEPS});")
+    for places in (x, printed([str(built)]), printed(steered)):
+        assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
+    assert "hold still until its steer is set" in " ".join(c_program(body)[2])
+
+
 GAME = Path(__file__).with_name("game.c")
 
 
@@ -409,6 +463,27 @@ def test_the_template_in_python_is_clean_as_it_stands() -> None:
 
 
 # ------------------------------------------------------------------------- what programs say
+def test_a_file_has_no_line_for_what_its_scene_lacks() -> None:
+    rope = sim.Simulation(sim.load_scene("rope")).capture()
+    texts = [live_html(rope)[0].decode(), javascript_program(rope)[0].decode()]
+    texts += map(bytes.decode, (python_program(body_of(rope.scene))[0], *c_program(body_of(rope.scene))[:2]))
+    words = (
+        "keepOnRail",
+        "reachable",
+        "RAIL",
+        "MOTOR",
+        "otors",
+        "steer",
+        "BELT",
+        "STATIC",
+        "slides",
+        "sizes",
+    )
+    for word in (*words, "SIZES", "erived", "ifdef HAS"):
+        for text in texts:
+            assert word not in text, word
+
+
 def test_a_program_has_only_what_the_scene_needs() -> None:
     bare = changed(sim.rope(masses=3, length=100.0, driven=None), air_friction=0.0, gravity=(0.0, 0.0))
     springs = tuple(changed(spring, damping=0.0) for spring in bare.linear_springs)
@@ -443,11 +518,21 @@ def test_what_a_program_cannot_do_is_refused_in_one_sentence(
     assert softrod("export", name, "--c", out, "--set", f"{setting}=0").returncode == 0
 
 
-def test_a_program_goes_on_with_friction_that_holds(tmp_path: Path) -> None:
+def test_a_program_refuses_solid_masses_that_may_touch_each_other(tmp_path: Path, softrod: Softrod) -> None:
+    said = "softrod: a program in Python or C cannot do solid masses that touch each other\n"
+    refused(softrod("export", "cradle", "--c", tmp_path / "body.c"), said)
+    refused(softrod("export", "cradle", "--python", tmp_path / "body.py"), said)
+    assert softrod("export", "cradle", "--javascript", tmp_path / "body.mjs").returncode == 0
+    assert json.loads(body_json(body_of(sim.load_scene("cradle"))))["masses"]["solid"][1] == 1
+
+
+@pytest.mark.parametrize("belt", [msgspec.UNSET, 30.0])
+def test_a_program_goes_on_with_friction_that_holds(belt: Any, tmp_path: Path) -> None:
     """Masses that bounce and come to rest in a groove, from the middle of their motion."""
     hard = sim.Wall(
-        point=(100.0, 320.0), normal=(1.0, -4.0), friction=0.4, bounciness=0.3, tangential_hardness=4000.0
-    )
+        point=(100.0, 320.0), normal=(1.0, -4.0), friction=0.4, bounciness=0.3, tangential_hardness=4000.0,
+        speed=belt,
+    )  # fmt: skip
     floors = changed(hard, restitution="constant"), changed(hard, normal=(-1.0, -2.0))
     simulation = sim.Simulation(changed(LOOSE, walls=floors, integrator=EULER))
     simulation.step(400)
@@ -456,8 +541,39 @@ def test_a_program_goes_on_with_friction_that_holds(tmp_path: Path) -> None:
     without = Body.of(replace(body.moment, grips=None))
     simulation.step(STEPS)
     programs_end_where_it_is(simulation, body, tmp_path)
-    for places in moved_by_programs(without, tmp_path):
-        assert abs(places - simulation.positions).max() > 1e-3
+    if not belt:  # on a belt they slide, and forget
+        for places in moved_by_programs(without, tmp_path):
+            assert abs(places - simulation.positions).max() > 1e-3
+
+
+def test_motors_and_rails_are_in_json_and_tables_as_in_the_scene() -> None:
+    buggy, cart = sim.load_scene("buggy"), sim.load_scene("cart")
+    motors = [motor for motor in json.loads(body_json(body_of(buggy)))["joints"]["motor"] if motor]
+    assert [motor["keys"] for motor in motors] == ["left-right", "left-right"]
+    turned = [row for row in tables(buggy)["joints"] if row["motor_speed [deg/s]"]]
+    assert {(row["motor_speed [deg/s]"], row["motor_keys"]) for row in turned} == {("600.0", "left-right")}
+    assert json.loads(body_json(body_of(cart)))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
+    rails = [(row["rail_x"], row["rail_y"]) for row in tables(cart)["masses"]]
+    assert rails == [("1.0", "0.0"), ("0.0", "0.0")]
+
+
+@pytest.mark.parametrize(("before", "slides"), [(135, False), (180, True)])
+def test_a_program_goes_on_with_what_slides_in_spite_of_static_friction(
+    before: int, slides: bool, tmp_path: Path
+) -> None:
+    simulation = sim.Simulation(apply_assignments(block_on_a_belt(), ["method=symplectic_euler", "dt=0.002"]))
+    simulation.step(before)
+    grips = simulation.capture().grips
+    assert grips is not None and bool(grips.sliding) == slides
+    body = Body.of(simulation.capture())
+    simulation.step(STEPS)
+    programs_end_where_it_is(simulation, body, tmp_path)
+
+
+def test_belts_are_in_tables_also_beside_walls_at_rest() -> None:
+    walls = (LOOSE.walls[0], changed(LOOSE.walls[0], speed=40.0))
+    rows = tables(changed(LOOSE, walls=walls))["walls"]
+    assert [row["speed [px/s]"] for row in rows] == ["", "40.0"]
 
 
 def test_how_bodies_bounce_is_in_json() -> None:

@@ -65,6 +65,23 @@ def test_a_mass_is_dragged_and_the_body_follows(open_file: Open) -> None:
     page.mouse.up()
 
 
+@pytest.mark.parametrize("by", ["key", "button"])
+def test_a_buggy_is_driven(by: str, open_file: Open) -> None:
+    page = open_file("buggy")
+    x = number(page, "positions[0]")
+    if by == "key":
+        page.keyboard.down("ArrowRight")
+    else:
+        box = page.locator("[data-softrod-key=right]").bounding_box()
+        assert box is not None
+        page.mouse.move(box["x"] + 5.0, box["y"] + 5.0)
+        page.mouse.down()
+    until(page, lambda: number(page, "positions[0]") > x + 30.0, "it drives to the right")
+    page.keyboard.up("ArrowRight")
+    page.mouse.up()
+    until(page, lambda: number(page, "steered[0]") == 0.0, "it is let go")
+
+
 def test_sliders_keys_and_buttons_do_what_they_say(open_file: Open) -> None:
     page = open_file("tutorial-3.3")
     slider = page.get_by_label("Stretching stiffness")

@@ -3,7 +3,7 @@
 import { createInterface } from "node:readline";
 import { pathToFileURL } from "node:url";
 import { Body } from "../../app/export/live/static/body.js";
-import { measure } from "../../app/export/live/static/quantities.js";
+import { addDerived, measure } from "../../app/export/live/static/quantities.js";
 import { write } from "../../app/export/live/static/settings.js";
 import { StabilityMeter } from "../../app/export/live/static/stability.js";
 import { advance } from "../../app/export/live/static/steps.js";
@@ -19,7 +19,8 @@ function same(data, h, count, positions) {
 }
 
 for await (const line of createInterface({ input: process.stdin })) {
-  const { data, method, h, count, presses, set = [], measures = [] } = JSON.parse(line);
+  const { data, method, h, count, presses, set = [], measures = [], derived = {} } = JSON.parse(line);
+  addDerived(derived);
   const body = new Body(data);
   for (const [setting, value] of set) write(body, setting, value);
   const limit = new StabilityMeter(new Body(data), method).look();

@@ -8,7 +8,7 @@ import msgspec
 import numpy as np
 from msgspec.structs import fields, replace
 
-from sim import AngularSpring, Scene, Simulation
+from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene, Simulation
 from sim.edit.build import wrapped_degrees
 from sim.scene.parts import Motor
 from sim.scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Wall, Wind
@@ -110,6 +110,28 @@ ON_RAILS = "girder on rails in walls and a medium, with a gas"
 MOTORISED = "girder of motors"
 STEERED = "girder of motors and forces that keys work"
 AROUND = [*KINDS, *TOUCHING, ONE_SIDED, ON_RAILS, MOTORISED, STEERED]
+
+
+def block_on_a_belt(speed: float = 30.0) -> Scene:
+    """A block of 1 kg that a spring holds back, which sticks and slips: it breaks away at 8 px."""
+    return Scene(
+        name="block",
+        masses=(Mass(position=(100.0, 300.35)), Mass(position=(0.0, 300.35))),
+        linear_springs=(LinearSpring(a=0, b=1, stiffness=100.0, rest_length=100.0),),
+        anchors=(Anchor(mass=1),),
+        walls=(
+            Wall(
+                point=(0.0, 300.0),
+                normal=(0.0, -1.0),
+                friction=0.3,
+                static_friction=0.8,
+                tangential_hardness=4e4,
+                restitution="constant",
+                speed=speed,
+            ),
+        ),
+        gravity=(0.0, 1000.0),
+    )
 
 
 def around(kind: str, seed: int = 0, **changes: Any) -> Scene:

@@ -18,7 +18,7 @@ from tests.sim.bodies import body
 from tests.sim.changes import by, step_all, with_springs, with_walls
 from tests.sim.checks import known
 from tests.sim.inside import solver_of
-from tests.sim.surrounded import KINDS, around, surrounded
+from tests.sim.surrounded import KINDS, around, block_on_a_belt, surrounded
 from tests.sim.touching import crumpled
 
 FIXED = [name for name, info in METHODS.items() if not info.adaptive]
@@ -64,6 +64,17 @@ def test_steps_of_a_fixed_length_are_the_same_bits_however_they_are_called(metho
                 simulation.step(every)
         ends.add(bits(simulation))
     assert len(ends) == 1
+
+
+@pytest.mark.parametrize("method", FIXED)
+def test_so_are_steps_after_which_friction_falls(method: Method) -> None:
+    scene = replace(block_on_a_belt(), integrator=Integrator(method=method, dt=2e-3))
+    at_once, apart = Simulation(scene), Simulation(scene)
+    at_once.step(12)
+    for _ in range(12):
+        apart.step()
+    assert known(at_once.capture().grips).sliding
+    assert bits(at_once) == bits(apart)
 
 
 @pytest.mark.parametrize("method", FIXED)

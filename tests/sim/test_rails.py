@@ -62,6 +62,12 @@ def test_vibrations_and_modes_know_the_rail() -> None:
     assert Modes(posed, 2).omega[0] == pytest.approx(slow[0], rel=1e-5)
 
 
+def test_the_stability_limit_is_that_of_motions_along_the_rail() -> None:
+    scene = by(cart(1.0, heavy=0.5), "symplectic_euler", dt=1e-4)
+    omega = math.sqrt(1e7 * (1.0 + math.sin(1.0) ** 2 / 0.5))
+    assert sim.Simulation(scene).stability().limit == pytest.approx(2.0 / omega, rel=1e-3)
+
+
 def test_a_held_mass_on_a_rail_is_led_along_it() -> None:
     slope = Mass(position=(0.0, 0.0), rail=(3.0, 4.0))
     simulation = sim.Simulation(by(Scene(name="led", masses=(slope,), anchors=(Anchor(mass=0),))))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,11 +14,12 @@ from sim import AngularSpring, LinearSpring
 from sim.errors import InputError
 from sim.forces.one_sided import SIDES
 from sim.forces.plasticity import leaking
+from sim.forces.rails import ways_of
 from sim.forces.touch.walls import WallRow
 from sim.model.stable_spring import clamp_stiffness
 from sim.model.system import System, build_system, joint_stiffness
-from sim.motion.driving import offset, velocity
-from sim.scene.parts import Beat, JointMuscle, SpringMuscle, constant_force
+from sim.motion.driving import NO_RAIL, offset, velocity
+from sim.scene.parts import Beat, JointMuscle, Motor, SpringMuscle, constant_force
 from sim.scene.types import Circle, is_muscular
 
 Floats = NDArray[np.float64]
@@ -53,15 +54,18 @@ class Body:
         positions, velocities: (n, 2) px and px/s; a held mass is at rest unless it goes round a circle.
         mass: (n,) kg.
         radius: (n,) px.
+        size: (n,) px, the radius of each solid mass, 0 of all others.
         loads: the constant forces on masses, kg px/s², by mass.
         held: (n,) whether a mass is held.
         circles: the circles on which held masses go, and where each is at time zero, px, by mass.
+        rails: the unit vectors of the rails on which masses are, by mass.
         ends: (S, 2) masses at the ends of each linear spring.
         stiffness, damping, rest_length: (S,) kg/s², kg/s, px.
         joints: (J, 2) linear springs of each joint.
         joint_stiffness, joint_damping, rest_angle: (J,) kg/s², kg/s, degrees.
         spring_side, joint_side: (S,) and (J,) 1 for a part that acts only beyond its rest length or angle, -1
             for one that acts only below it, 0 for one that acts on both sides.
+        motors: by joint.
         broken: (S,) whether a linear spring is broken.
         walls: (W, 12) rows as in `sim.forces.touch.walls`.
         wind: of the mean wind, px/s.
@@ -76,9 +80,11 @@ class Body:
     velocities: Floats
     mass: Floats
     radius: Floats
+    size: Floats
     loads: dict[int, tuple[float, float]]
     held: NDArray[np.bool_]
     circles: dict[int, tuple[Circle, tuple[float, float]]]
+    rails: dict[int, tuple[float, float]]
     ends: Indices
     stiffness: Floats
     damping: Floats
@@ -89,6 +95,7 @@ class Body:
     rest_angle: Floats
     spring_side: Indices
     joint_side: Indices
+    motors: dict[int, Motor]
     broken: NDArray[np.bool_]
     walls: Floats
     wind: tuple[float, float]
@@ -129,10 +136,11 @@ class Body:
         held = np.zeros(len(scene.masses), np.bool_)
         held[[anchor.mass for anchor in scene.anchors]] = True
         velocities = np.where(held[:, None], 0.0, moment.velocities)
-        circles = _circles(moment)
-        for mass, (circle, _) in circles.items():
-            velocities[mass] = velocity(circle, moment.time)
         system = build_system(scene)
+        rails = {int(system.mass_order[slot - 1]): way for slot, way in ways_of(system.body).items()}
+        circles = _circles(moment, rails)
+        for mass, (circle, _) in circles.items():
+            velocities[mass] = velocity(circle, moment.time, rails.get(mass, NO_RAIL))
         environment = system.body.environment
         air = environment.air
         return Body(
@@ -141,9 +149,11 @@ class Body:
             velocities=velocities,
             mass=np.array([m.mass for m in scene.masses], float),
             radius=np.array([m.radius for m in scene.masses], float),
+            size=np.array([m.radius if m.solid else 0.0 for m in scene.masses], float),
             loads={i: force for i, force in enumerate(map(constant_force, scene.masses)) if force},
             held=held,
             circles=circles,
+            rails=rails,
             ends=ends,
             stiffness=np.where(whole, [s.stiffness for s in springs], 0.0),
             damping=np.where(whole, [s.damping for s in springs], 0.0),
@@ -154,6 +164,7 @@ class Body:
             rest_angle=180.0 - (180.0 - rest_angle) % 360.0,
             spring_side=_sides(springs),
             joint_side=_sides(joints),
+            motors={i: j.motor for i, j in enumerate(joints) if j.motor},
             broken=broken,
             walls=np.array(environment.walls.rows)[:, : WallRow._fields.index("belt")],
             wind=(float(air.wind_x), float(air.wind_y)),
@@ -184,12 +195,14 @@ def _sides(parts: Sequence[LinearSpring] | Sequence[AngularSpring]) -> Indices:
     return np.array([SIDES[part.only] if part.only else 0 for part in parts], np.int64)
 
 
-def _circles(moment: sim.Moment) -> dict[int, tuple[Circle, tuple[float, float]]]:
+def _circles(
+    moment: sim.Moment, rails: Mapping[int, tuple[float, float]]
+) -> dict[int, tuple[Circle, tuple[float, float]]]:
     circles = {}
     for anchor in moment.scene.anchors:
         if anchor.circle is not None and anchor.circle.radius > 0.0:
             x, y = moment.positions[anchor.mass].tolist()
-            dx, dy = offset(anchor.circle, moment.time)
+            dx, dy = offset(anchor.circle, moment.time, rails.get(anchor.mass, NO_RAIL))
             circles[anchor.mass] = anchor.circle, (x - dx, y - dy)
     return circles
 

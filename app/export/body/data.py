@@ -11,6 +11,7 @@ import msgspec
 
 import sim
 from sim import AngularSpring, LinearSpring
+from sim.motion.driving import NO_RAIL
 from sim.store.csv_text import csv_text
 from sim.store.files import indented_json
 
@@ -48,6 +49,7 @@ _MORE_UNITS = {
     "hardness": "1/(L s^2)",
     "tangential_hardness": "1/s^2",
     "slip_speed": "L/s",
+    "speed": "L/s",
     "pressure_or_bulk_modulus": "kg/s^2",
     "outside": "kg/s^2",
     "area": "L^2",
@@ -65,6 +67,9 @@ _MORE_UNITS = {
     "beat_phase": "deg",
     "muscle_angle": "deg",
     "muscle_phase": "deg",
+    "motor_speed": "deg/s",
+    "motor_torque": "kg L^2/s^2",
+    "motor_slip": "deg/s",
 }
 """Of columns that there are in tables only."""
 
@@ -91,7 +96,7 @@ def body_json(body: Body) -> bytes:
         "y_down": scene.view.y_down,
         "masses": _masses(body),
         "springs": _springs(body) | _muscles(scene.linear_springs),
-        "joints": _joints(body) | _muscles(scene.angular_springs),
+        "joints": _joints(body) | _muscles(scene.angular_springs) | _motors(body),
         "anchors": scene.anchors,
         **_surroundings(scene),
     }
@@ -126,6 +131,10 @@ def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
             masses[f"circle_{field}"] = numbers
     stretch = _muscle_columns(scene.linear_springs, "muscle_amplitude")
     turn = _muscle_columns(scene.angular_springs, "muscle_angle")
+    if body.motors:
+        motors = _motors(body)["motor"]
+        for field in ("speed", "torque", "slip", "keys"):
+            turn[f"motor_{field}"] = [getattr(motor, field, None) or None for motor in motors]
     tables = {
         "masses": _table({"index": range(len(body.mass)), **masses}, scene),
         "springs": _table({"index": range(len(body.ends)), **_springs(body), **stretch}, scene),
@@ -138,7 +147,8 @@ def body_csv(body: Body, decimal_comma: bool = False) -> bytes:
     tables["settings"] = [["setting", "value"], *map(list, zip(heads, values, strict=True))]
     if scene.walls:
         walls = msgspec.to_builtins(scene.walls)
-        tables["walls"] = _table({field: [wall[field] for wall in walls] for field in walls[0]}, scene)
+        fields = dict.fromkeys(field for wall in walls for field in wall)
+        tables["walls"] = _table({field: [wall.get(field) for wall in walls] for field in fields}, scene)
     if body.loops:
         fillings = {
             "kind": ["gas" if loop.is_gas else "liquid" for loop in body.loops],
@@ -167,6 +177,10 @@ def _masses(body: Body) -> dict[str, Sequence[Any]]:
     }
     if body.loads:
         columns["force"] = [body.loads.get(i, (0.0, 0.0)) for i in range(len(body.mass))]
+    if body.size.any():
+        columns["solid"] = (body.size > 0.0).astype(int).tolist()
+    if body.rails:
+        columns["rail"] = [body.rails.get(i, NO_RAIL) for i in range(len(body.mass))]
     return columns
 
 
@@ -212,6 +226,11 @@ def _muscles(parts: _Parts) -> dict[str, Sequence[Any]]:
     """A column of muscles as scenes have them, and None; nothing where no part has one."""
     muscles = [part.muscle or None for part in parts]
     return {"muscle": muscles} if any(muscles) else {}
+
+
+def _motors(body: Body) -> dict[str, Sequence[Any]]:
+    """A column of motors as scenes have them, and None; nothing where there is none."""
+    return {"motor": [body.motors.get(j) for j in range(len(body.joints))]} if body.motors else {}
 
 
 def _muscle_columns(

@@ -17,13 +17,15 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.forces.all import TERMS
+from sim.forces.muscles import steer_of
 from sim.forces.touch.walls import WallRow
-from sim.scene.columns import is_set_in_any
 from sim.scene.parts import JointMuscle, SpringMuscle
-from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name
+from sim.scene.types import ForceLaw, Method, Scene, is_damageable, is_steered, shown_name
 from sim.solve.registry import METHODS
 
+from ...conditional import needed_lines
 from .body import Body
+from .features import features_of
 
 _MARGIN = 0.8
 """Fraction of the largest stable time step that a program takes where the scene's own is too long: a body
@@ -41,8 +43,6 @@ LICENCE = "SPDX-License-Identifier: MIT; Copyright (c) 2026 The softrod authors"
 _PLAIN = frozenset("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 .,:;()+-^/")
 """Characters of a user's text that a comment may have: none could end the comment or mean anything in it."""
 
-_DIRECTIVE = re.compile(r" *# (?P<word>ifdef (?P<asked>\w+)|else|endif)")
-
 _HYSTERESIS, _GRIP = WallRow._fields.index("hysteresis"), WallRow._fields.index("tangential")
 """Columns of a wall's row from which on only some programs need them: those of what a constant restitution
 loses, and those of tangential springs."""
@@ -51,7 +51,10 @@ LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 """The force laws that programs and live files know."""
 
 TERMS_IN_PROGRAMS = frozenset(
-    ("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact")
+    (
+        *("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact"),
+        *("rails", "motors"),
+    )
 )
 """The names of the forces that they know, or refuse by themselves."""
 
@@ -82,6 +85,8 @@ class Plan:
         if contact is not None and contact.distance > 0.0 and len(body.ends):
             lacks["contact_distance"] = "contact of bodies"
         check_forces(body.scene)
+        if np.count_nonzero(body.size) > 1:
+            raise InputError("a program in Python or C cannot do solid masses that touch each other")
         if lacks:
             raise InputError(
                 f"a program cannot do {' and '.join(lacks.values())}; set {' and '.join(lacks)} to 0 to have "
@@ -115,7 +120,8 @@ class Plan:
             "JOINTS": len(body.joints) > 0,
             "JOINT_SIDES": bool(body.joint_side.any()),
             "JOINT_DAMPING": joints_damped,
-            "RATES": damped or joints_damped,
+            "RATES": damped or joints_damped or bool(body.motors),
+            "TURNING": joints_damped or bool(body.motors),
             "ANGLE_LAW": law == "angle",
             "CONSERVATIVE_LAW": law == "conservative",
             "JOINT_ENERGY": law in ("angle", "conservative"),
@@ -123,16 +129,23 @@ class Plan:
             "FILLINGS": bool(body.loops),
             "WALLS": len(body.walls) > 0,
             "HYSTERESIS": bool(body.walls[:, _HYSTERESIS].any()),
+            "SIZES": len(body.walls) > 0 and bool(body.size.any()),
             "GRIPS": bool(body.walls[:, _GRIP].any()),
             "GRIPPED": bool(self._gripped()),
+            "SLIDING": bool(self._sliding()),
             "CIRCLES": bool(body.circles),
+            "RAILED_CIRCLES": not body.rails.keys().isdisjoint(body.circles),
             "STRETCHED": bool(body.spring_muscles),
             "BENT": bool(body.joint_muscles),
             "MUSCLES": body.beat is not None,
             "TIME": bool(body.circles) or body.beat is not None,
             "MATHEMATICS": bool(len(body.ends) or air or len(body.walls) or body.circles),
         }
-        return {"TEMPLATE": False, **{f"HAS_{name}": needed for name, needed in has.items()}}
+        return {
+            "TEMPLATE": False,
+            **{f"HAS_{name}": needed for name, needed in has.items()},
+            **features_of(scene),
+        }
 
     def tables(self) -> dict[str, list[tuple[float | int, ...]]]:
         """The rows of the program's tables, by the names of their places in the templates."""
@@ -164,6 +177,14 @@ class Plan:
             "LOADS": [(mass, *map(float, force)) for mass, force in body.loads.items()],
             "RESISTED": self._resisted(),
             "GRIPPED": self._gripped(),
+            "SLIDING": self._sliding(),
+            "SIZES": [(size,) for size in body.size.tolist()],
+            "BELTS": [(wall.speed or 0.0,) if has["HAS_BELTS"] else () for wall in body.scene.walls],
+            "STATIC": [
+                (wall.static_friction or 0.0,) if has["HAS_STATIC"] else () for wall in body.scene.walls
+            ],
+            "MOTORS": self._motors(),
+            "RAILS": [(mass, *way) for mass, way in body.rails.items()],
             "CIRCLES": [
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
                 for mass, (circle, place) in body.circles.items()
@@ -178,10 +199,30 @@ class Plan:
             ],
         }
 
+    def _motors(self) -> list[tuple[float | int, ...]]:
+        """A row for each motor, with the keys that steer it if any are steered."""
+        body, steered = self.body, is_steered(self.body.scene)
+        loose = body.broken[body.joints].any(1)
+        return [
+            (
+                j,
+                math.radians(motor.speed),
+                0.0 if loose[j] else motor.torque,
+                math.radians(motor.slip),
+                *([steer_of(motor.keys)] if steered else ()),
+            )
+            for j, motor in body.motors.items()
+        ]
+
     def _gripped(self) -> list[tuple[float | int, ...]]:
         """A row for each tangential spring between a wall and a mass: these, and its stretch, px."""
         grips = self.body.moment.grips
         return list(grips.walls) if grips is not None and self.body.walls[:, _GRIP].any() else []
+
+    def _sliding(self) -> list[tuple[int, int]]:
+        """A row for each wall with static friction and a mass that slides on it."""
+        grips = self.body.moment.grips
+        return list(grips.sliding or ()) if grips is not None else []
 
     def _resisted(self) -> list[tuple[float | int, ...]]:
         """A row for each spring that a medium or the ground resists, with the weights on its ends."""
@@ -257,6 +298,8 @@ def c_program(body: Body, name: str = "softbody") -> tuple[bytes, bytes, list[st
         for loop, end in zip(body.loops, ends, strict=True)
     ]
     tables = {**plan.tables(), "FILLINGS": loops, "MASSES": _masses(body)}
+    surfaces = (tables[name] for name in ("WALLS", "BELTS", "STATIC"))
+    tables["WALLS"] = [tuple(itertools.chain(*rows)) for rows in zip(*surfaces, strict=True)]
     places = {
         table: _table((f"{{ {', '.join(map(repr, row))} }}" for row in rows), "{", "}")
         for table, rows in tables.items()
@@ -303,27 +346,15 @@ def _table(rows: Iterable[str], opening: str, closing: str) -> str:
 def _filled(name: str, plan: Plan, places: dict[str, str]) -> bytes:
     """A template with what the program needs of it.
 
-    In a template, `# ifdef NAME`, `# else` and `# endif` on lines of their own are directives, those of the
-    preprocessor in C and comments in Python, and words GIVEN_... are places for text. So a compiler and a
-    linter read the templates as they are.
+    Words GIVEN_... in a template are places for text, and `app.conditional` has its directives.
 
     Args:
         name: of the template.
         plan: of the program.
         places: texts by what follows GIVEN_, in addition to the plan's numbers.
     """
-    features, lines, shown = plan.features(), [], [True]
     template = Path(__file__).with_name("templates") / name
-    for line in template.read_text(encoding="ascii").splitlines():
-        match = _DIRECTIVE.fullmatch(line)
-        if match is None:
-            lines += [line] * all(shown)
-        elif match["asked"]:
-            shown.append(features[match["asked"]])
-        elif match["word"] == "else":
-            shown.append(not shown.pop())
-        else:
-            shown.pop()
+    lines = needed_lines(template.read_text(encoding="ascii"), plan.features())
     given = plan.numbers() | places
     text = re.sub(r"\bGIVEN_(\w+)", lambda place: given[place[1]], "\n".join((*lines, "")))
     return re.sub(r"\n{4,}", "\n\n\n", text).encode("ascii")
@@ -350,15 +381,10 @@ def unknown_forces(scene: Scene) -> list[str]:
     """Names of the forces on a scene's body that are not known outside softrod."""
     acting = (term for term in TERMS if term.acts(scene))
     names = [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
-    solid = is_set_in_any(scene.masses, "solid")
     muscles = [part.muscle for part in (*scene.linear_springs, *scene.angular_springs) if part.muscle]
-    new = {
-        "muscles that keys work": bool(scene.beat) and any(muscle.keys for muscle in muscles),
-        "solid masses": solid,
-        "belts": any(wall.speed for wall in scene.walls),
-        "static friction of its own": any(wall.static_friction for wall in scene.walls),
-    }
-    return [*names, *(name for name, is_there in new.items() if is_there)]
+    if scene.beat and any(muscle.keys for muscle in muscles):
+        names.append("muscles that keys work")
+    return names
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:
@@ -387,6 +413,8 @@ def _notes(body: Body) -> list[str]:
     scene, notes = body.scene, []
     if is_damageable(scene):
         notes.append("in it no spring breaks or yields any further")
+    if is_steered(scene):
+        notes.append("in it, motors that keys turn hold still until its steer is set")
     driven = any(anchor.driven for anchor in scene.anchors)
     hands = [*["the pointer"] * driven, *["the arrow keys"] * (scene.arrow_keys is not None)]
     if hands:

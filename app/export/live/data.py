@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -9,23 +11,30 @@ import msgspec
 import numpy as np
 
 import sim
+from sim.forces.muscles import steer_of
 from sim.model.system import System, build_system
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, Grips, is_damageable
 
 from ..body.body import Body
+from ..body.features import features_of
 
 ENDLESS = 1e300
 """What stands for no limit, since JSON has no infinity."""
 
 
-def body_data(moment: sim.Moment) -> dict[str, Any]:
+def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict[str, Any]:
     """The `BodyData` of a moment.
+
+    Args:
+        moment: the moment.
+        has: the features of the script, see `features_of`; those of the moment's scene if it is None.
 
     Raises:
         InputError: a position or a velocity is not a finite number.
     """
     body, scene = Body.of(moment), moment.scene
+    has = has or features_of(scene)
     system = build_system(scene)
     rest_angle = np.array([j.rest_angle for j in scene.angular_springs]) + moment.rest_angle_shift
     air = system.body.environment.air
@@ -60,7 +69,7 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
         "restAngle": (180.0 - (180.0 - rest_angle) % 360.0).tolist(),
         "sides": _sides(body),
         "broken": np.flatnonzero(body.broken).tolist(),
-        "walls": body.walls.tolist(),
+        "walls": _walls(body, has),
         "fillings": [
             {
                 "masses": loop.masses,
@@ -71,12 +80,39 @@ def body_data(moment: sim.Moment) -> dict[str, Any]:
             }
             for loop in body.loops
         ],
-        "contact": _contact(system),
+        "contact": _contact(system, has),
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
-        "grips": _grips(moment.grips),
+        "grips": _grips(moment.grips, has),
         "muscles": _muscles(body),
+        **_features(body, has),
     }
+
+
+def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
+    """The fields that there are with some features only."""
+    data: dict[str, Any] = {}
+    if has["HAS_SOLID"]:
+        data["sizes"] = body.size.tolist()
+    if has["HAS_RAILS"]:
+        data["rails"] = [[mass, *way] for mass, way in body.rails.items()]
+    if has["HAS_MOTORS"]:
+        data["motors"] = [
+            [joint, math.radians(motor.speed), motor.torque, math.radians(motor.slip), steer_of(motor.keys)]
+            for joint, motor in body.motors.items()
+        ]
+    return data
+
+
+def _walls(body: Body, has: Mapping[str, bool]) -> list[list[float | None]]:
+    """The `Wall`s of the script."""
+    rows = body.walls.tolist()
+    if has["HAS_BELTS"] or has["HAS_STATIC"]:
+        for row, wall in zip(rows, body.scene.walls, strict=True):
+            row.append(None if wall.speed is msgspec.UNSET else wall.speed)
+            if has["HAS_STATIC"]:
+                row.append(None if wall.static_friction is msgspec.UNSET else wall.static_friction)
+    return rows
 
 
 def _sides(body: Body) -> dict[str, list[int]] | None:
@@ -85,7 +121,7 @@ def _sides(body: Body) -> dict[str, list[int]] | None:
     return {"springs": body.spring_side.tolist(), "joints": body.joint_side.tolist()}
 
 
-def _contact(system: System) -> dict[str, Any] | None:
+def _contact(system: System, has: Mapping[str, bool]) -> dict[str, Any] | None:
     contact = system.body.environment.contact
     if not contact.present:
         return None
@@ -93,7 +129,17 @@ def _contact(system: System) -> dict[str, Any] | None:
     for s, spring in enumerate(system.spring_order.tolist()):
         slots = contact.apart[contact.apart_start[s] : contact.apart_start[s + 1]]
         apart[spring] = system.mass_order[slots - 1].tolist()
+    solid: dict[str, Any] = {}
+    if has["HAS_SOLID"]:
+        slots = contact.end_a[system.body.springs :]
+        starts = contact.apart_start[system.body.springs :]
+        never = [
+            system.mass_order[contact.apart[first:behind] - 1].tolist()
+            for first, behind in itertools.pairwise(starts.tolist())
+        ]
+        solid["solid"] = [*zip(system.mass_order[slots - 1].tolist(), never, strict=True)]
     return {
+        **solid,
         "distance": contact.distance,
         "stiffness": contact.stiffness,
         "friction": contact.friction,
@@ -105,8 +151,11 @@ def _contact(system: System) -> dict[str, Any] | None:
     }
 
 
-def _grips(grips: Grips | None) -> dict[str, Any] | None:
-    return None if grips is None else {"walls": grips.walls, "springs": grips.springs}
+def _grips(grips: Grips | None, has: Mapping[str, bool]) -> dict[str, Any] | None:
+    if grips is None:
+        return None
+    sliding = {"sliding": grips.sliding or ()} if has["HAS_STATIC"] else {}
+    return {"walls": grips.walls, "springs": grips.springs, **sliding}
 
 
 def _ground(ground: sim.Ground) -> dict[str, float]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import msgspec
 
 import sim
-from sim.motion.quantities import quantity
+from sim.errors import InputError
+from sim.motion.formulas import Call, Measured, Node, Number
+from sim.motion.quantities import PARTS, Quantity, quantity
 from sim.scene.lesson import Step
 from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 
@@ -25,6 +27,9 @@ MEASURED = frozenset(
     )
 )
 """What a file can measure, as `static/quantities.js` does."""
+
+OF_MASSES = {"mass": ("mass", "momentum_x", "momentum_y"), "body": tuple(PARTS["body"])}
+"""What a file computes of one mass, and of masses together, as `static/derived.js` does."""
 
 OF_STEP = "stability.dt_over_limit"
 """What a file has of a body that moves by steps of the scene's length."""
@@ -52,7 +57,47 @@ def lesson_data(
             _step(step, at, scene_of_run(scene, number), about, moving)
             for number, (step, at) in enumerate(zip(scene.lesson.steps, scenes_of_steps(scene), strict=True))
         ],
+        **({"derived": derived} if (derived := derived_of(scene)) else {}),
     }
+
+
+def derived_of(scene: sim.Scene) -> dict[str, Any]:
+    """What the steps of a scene's lesson measure that a file computes, by its name: what `static/derived.js`
+    computes, and whether it is an angle that goes on beyond half a turn. Nothing without a lesson."""
+    names = set()
+    for step in scene.lesson.steps if scene.lesson is not None else ():
+        specs = [parse_plot(text) for text in step.plots or ()]
+        names |= {name for spec in specs for name in (*spec.names, spec.over)}
+        names |= {step.goal.quantity} if step.goal is not None else set()
+    found = {}
+    for name in sorted(name for name in names - {"", OF_STEP} if is_measured(name, scene)):
+        one = quantity(name, scene)
+        if one.formula or _is_of_masses(one):
+            node = _node(one.formula.tree, one.leaves, scene) if one.formula else _leaf(one, scene)
+            found[name] = {"node": node, "unwrapped": one.unwrapped}
+    return found
+
+
+def _node(tree: Node, leaves: Sequence[Quantity], scene: sim.Scene) -> Any:
+    """The `Node` of a formula."""
+    match tree:
+        case Number(value):
+            return value
+        case Measured(index):
+            return _leaf(leaves[index], scene)
+        case Call(do, of):
+            return [do, *(_node(each, leaves, scene) for each in of)]
+
+
+def _leaf(one: Quantity, scene: sim.Scene) -> Any:
+    """The `Node` of a quantity that is no formula."""
+    if not _is_of_masses(one):
+        return one.name
+    return {"what": one.kind.what, "masses": one.indices or tuple(range(len(scene.masses)))}
+
+
+def _is_of_masses(one: Quantity) -> bool:
+    return one.kind.what in OF_MASSES.get(one.kind.of, ())
 
 
 def _step(
@@ -88,8 +133,11 @@ def is_measured(name: str, scene: sim.Scene) -> bool:
     """Whether a file can measure a quantity of that name."""
     if name == OF_STEP:
         return scene.integrator.method == TUTORIAL
-    of, _, what = name.partition(".")
-    return (of.rstrip("0123456789"), what) in MEASURED
+    try:
+        found = quantity(name, scene).measured
+    except InputError:  # that of a ghost
+        return False
+    return all((one.kind.of, one.kind.what) in MEASURED or _is_of_masses(one) for one in found)
 
 
 def _is_drawn(spec: PlotSpec, scene: sim.Scene) -> bool:
@@ -116,6 +164,16 @@ def scenes_of_steps(scene: sim.Scene) -> list[sim.Scene]:
     """
     steps = scene.lesson.steps if scene.lesson is not None else ()
     return [scene_of_step(scene, number) for number in range(len(steps))]
+
+
+def scenes_of_runs(scene: sim.Scene) -> list[sim.Scene]:
+    """What the steps of a scene's lesson run with after their questions; nothing without a lesson.
+
+    Raises:
+        SettingError: a step cannot begin.
+    """
+    steps = scene.lesson.steps if scene.lesson is not None else ()
+    return [scene_of_run(scene, number) for number, step in enumerate(steps) if step.run]
 
 
 def lesson_notes(scene: sim.Scene) -> list[str]:

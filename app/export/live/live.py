@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import html
 import math
-from functools import cache
+from collections.abc import Mapping
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -17,15 +18,23 @@ from sim.scene.types import shown_name
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
+from ..body.features import features_of
 from ..body.program import check_forces
 from ..clip import ClipFrame
 from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
 from .data import body_data
-from .lesson import lesson_data, lesson_notes, listed, scenes_of_steps
+from .lesson import derived_of, lesson_data, lesson_notes, listed, scenes_of_runs, scenes_of_steps
 from .sliders import TUTORIAL, missing_labels, sliders
 
 DARK = "[data-dark]*"
 """Selects dark paper, see `static/dark.js`."""
+
+_ARROWS = [
+    ("left", "←", "Left: rest angles less"),
+    ("up", "↑", "Up: longer"),
+    ("down", "↓", "Down: shorter"),
+    ("right", "→", "Right: rest angles more"),
+]
 
 _FOLDER = Path(__file__).parent / "static"
 _APP = Path(__file__).parents[2]
@@ -46,18 +55,15 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     scene = moment.scene
     check_forces(scene, "a live file")
     title = html.escape(shown_name(scene))
-    style, script = _looks()
+    has = features_of(scene, *scenes_of_steps(scene), *scenes_of_runs(scene))
+    has["HAS_DERIVED"] = bool(derived_of(scene))
+    style, script = _looks(), _script(*(name for name, needed in has.items() if needed))
     notes = _notes(scene)
     note = f"In this file {'; '.join(notes)}." if notes else ""
     play, reset = icon(play=ICONS["play"], pause=ICONS["pause"]), icon(reset=ICONS["reset"])
     arrows = "".join(
         f'<button type="button" data-softrod-key="{key}" aria-label="{label}">{sign}</button>'
-        for key, sign, label in (
-            ("left", "←", "Left: rest angles less"),
-            ("up", "↑", "Up: longer"),
-            ("down", "↓", "Down: shorter"),
-            ("right", "→", "Right: rest angles more"),
-        )
+        for key, sign, label in _arrows(scene)
     )
     body = f"""<main class="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="{title}"></canvas>
@@ -88,8 +94,21 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 </div>
 <p id="says" class="hidden" role="status"></p>"""
     return html_file(
-        ClipFrame.of(moment), body, style, script, {"about": _about(moment)}, note, early_script(), bar
+        ClipFrame.of(moment), body, style, script, {"about": _about(moment, has)}, note, early_script(), bar
     ), notes
+
+
+def _arrows(scene: sim.Scene) -> list[tuple[str, str, str]]:
+    """The arrow keys of the pad: each with its sign and what it does."""
+    steered = {joint.motor.keys for joint in scene.angular_springs if joint.motor}
+    if scene.arrow_keys is None and any(steered):
+        pairs = {"left-right": ("left", "right"), "up-down": ("up", "down")}
+        return [
+            (key, sign, f"{key.capitalize()}: turn the motors")
+            for key, sign, _ in _ARROWS
+            if any(key in pair for keys, pair in pairs.items() if keys in steered)
+        ]
+    return _ARROWS
 
 
 @cache
@@ -99,32 +118,39 @@ def early_script() -> str:
 
 
 @cache
-def _looks() -> tuple[str, str]:
-    """The styles and the script."""
+def _looks() -> str:
+    """The styles."""
     shared = ("export/static/file.css", "ui/dialogs.css", "features/lesson/lesson.css")
     files = (*(_APP / name for name in shared), _FOLDER / "live.css")
-    return f"{style_rules(DARK)}\n{compact_style(*files)}", bundle(_FOLDER / "live.js")
+    return f"{style_rules(DARK)}\n{compact_style(*files)}"
 
 
-def _about(moment: sim.Moment) -> dict[str, Any]:
-    """The `About` of `static/live.js`."""
+@cache
+def _script(*features: str) -> str:
+    """The script of scenes with these features and no others."""
+    return bundle(_FOLDER / "live.js", {name: name in features for name in (*features_of(), "HAS_DERIVED")})
+
+
+def _about(moment: sim.Moment, has: Mapping[str, bool]) -> dict[str, Any]:
+    """The `About` of `static/live.js`; `has`: the features of the script."""
     scene = moment.scene
-    about = _moving(moment)
+    moving = partial(_moving, has=has)
+    about = moving(moment)
     keys = {key: _per_second(scene, key) if scene.arrow_keys is not None else None for key in ("up", "right")}
     about |= stage(scene, np.array(moment.positions)) | keys
     about |= {
         "joint": 0 if scene.angular_springs else -1,
         "energyUnit": unit_in(ENERGY_UNIT, scene.view.unit),
-        "lesson": lesson_data(scene, about, _moving) if scene.lesson is not None else None,
+        "lesson": lesson_data(scene, about, moving) if scene.lesson is not None else None,
     }
     return about
 
 
-def _moving(moment: sim.Moment) -> dict[str, Any]:
+def _moving(moment: sim.Moment, has: Mapping[str, bool]) -> dict[str, Any]:
     """The part of it that a step of a lesson can change."""
     scene = moment.scene
     return {
-        "body": body_data(moment),
+        "body": body_data(moment, has),
         "method": TUTORIAL if scene.integrator.method == TUTORIAL else "verlet",
         "dt": scene.integrator.dt,
         "settings": sliders(scene),

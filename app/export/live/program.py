@@ -14,6 +14,7 @@ from sim.scene.types import shown_name
 
 from ...bundle import joined
 from ..body.body import Body
+from ..body.features import features_of
 from ..body.program import LICENCE, check_forces, counted, plain, time_step, wrapped
 from .data import body_data
 
@@ -42,7 +43,7 @@ def javascript_program(moment: sim.Moment) -> tuple[bytes, list[str]]:
     head = "".join(f"// {line}".rstrip() + "\n" for line in _about(body, notes))
     text = f"""// @ts-check
 {head}
-{joined(_START)}
+{joined(_START, features_of(body.scene))}
 /** The body as it was when this was written. @type {{BodyData}} */
 export const BODY = {_literal(_numbers(body))};
 

@@ -16,7 +16,10 @@ TUTORIAL = "symplectic_euler"
 LAW = "force_law"
 """The one choice that a file has."""
 
-_SETS: dict[str, tuple[str, ...]] = {
+_BELT, _STATIC = 12, 13
+"""Where the script has the speed of a wall, and its coefficient of static friction."""
+
+_SETS: dict[str, tuple[str | int, ...]] = {
     "linear_stiffness": ("all", "stiffness"),
     "linear_damping": ("all", "damping"),
     "angular_stiffness": ("all", "jointStiffness"),
@@ -36,6 +39,8 @@ _SETS: dict[str, tuple[str, ...]] = {
     "ground_backward": ("field", "ground", "backward"),
     "ground_sideways": ("field", "ground", "sideways"),
     "wall_friction": ("walls",),
+    "belt_speed": ("walls", _BELT),
+    "static_friction": ("walls", _STATIC),
     "contact_stiffness": ("field", "contact", "stiffness"),
     "contact_friction": ("field", "contact", "friction"),
     "dt": (),  # a number of the clock

@@ -19,6 +19,7 @@ from sim.errors import InputError, SettingError
 from sim.scene.types import keys_of, shown_name
 from sim.settings import CHOICES, Choice, Setting, setting_of
 
+from ...export.body.program import unknown_forces
 from ...export.live.data import body_data
 from ...export.live.sliders import TUTORIAL, sliders
 from ...features.classroom import messages
@@ -374,7 +375,7 @@ def _alone(session: Session) -> messages.Alone:
     """The body with which the page goes on alone; none where that would be another motion."""
     scene = session.scene
     method = ALONE.get(scene.integrator.method)
-    if method is None or len(scene.masses) > MAX_ALONE:
+    if method is None or len(scene.masses) > MAX_ALONE or unknown_forces(scene):
         return messages.Alone()
     try:
         body = body_data(session.simulation.capture())

@@ -109,6 +109,9 @@ def _step(problem, drive, old, new, t, h, tolerance):
         if most > 1:
             return _steps_at_limit(problem, drive, old, new, t, h, tolerance, most)
     slope, next_slope = integrator.rows[verlet.row], integrator.rows[1 - verlet.row]
+    if integrator.run.since == 0:  # accelerations may have jumped after the last step
+        for j in range(slope.size):
+            slope[j] = old.a[j]
     _predict(old.q, old.v, old.a, slope, h, new.q, new.v)
     if drive.moving:
         drive_to(problem.body, problem.state, drive, t + h, new.q, new.v)

@@ -16,7 +16,13 @@ GIVEN_LOADS = [(0, 0.0, 0.0)]
 GIVEN_RESISTED = [(0, 1000.0, 1000.0)]
 GIVEN_FILLINGS = [(True, 1.0, 1.0, 1.0, [0])]
 GIVEN_WALLS = [(0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 1.0, 0.0, 0.5, 1.0, 1.0, 1.0)]
+GIVEN_SIZES = [(0.0,)]
+GIVEN_BELTS = [(0.0,)]
+GIVEN_STATIC = [(0.0,)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
+GIVEN_SLIDING = [(0, 0)]
+GIVEN_MOTORS = [(0, 1.0, 1.0, 1.0, -1)]
+GIVEN_RAILS = [(0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
 GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0)]
 GIVEN_BENT = [(0, 0.0, 0.1, 1.0, 0.0, 0)]
@@ -78,6 +84,22 @@ JOINT_C = JOINTS[:, -1]  # damping, kg/s
 # endif
 
 # endif
+# ifdef HAS_MOTORS
+# A row for each motor, which turns the second spring of a joint against the first: the joint, the rate at
+# which its angle should grow (1/s), the largest torque (kg px^2/s^2), and how far the rate is off where three
+# quarters of that act (1/s).
+# ifdef HAS_STEERING
+# At the end, which number in STEER steers it, or -1.
+# endif
+MOTORS = np.array(GIVEN_MOTORS)
+MOTOR = MOTORS[:, 0].astype(int)
+SPEED, MOST, MARGIN = MOTORS[:, 1:4].T
+# ifdef HAS_STEERING
+STEERED = MOTORS[:, 4].astype(int)
+STEER = np.zeros(2)  # to the right, and up: each from -1 to 1
+# endif
+
+# endif
 # ifdef HAS_LOADS
 # A row for each constant force: the mass that it acts on, its x and y (kg px/s^2).
 LOADS = np.array(GIVEN_LOADS)
@@ -109,17 +131,39 @@ FILLINGS = GIVEN_FILLINGS
 # At the end, the stiffness and damping of the tangential springs by which friction holds (1/s^2, 1/s).
 # endif
 WALLS = GIVEN_WALLS
+# ifdef HAS_SIZES
+SIZES = np.array(GIVEN_SIZES)[:, 0]  # the radius of each mass that is solid, px, 0 of all others
+# endif
+# ifdef HAS_BELTS
+BELTS = [speed for (speed,) in GIVEN_BELTS]  # of the surface of each wall, along it, px/s
+# endif
 # ifdef HAS_GRIPS
 # Of the tangential spring between each wall and each mass, its stretch, and where along the wall the mass was
 # when it had that stretch (px); NaN where there is none.
 STRETCH = np.zeros((len(WALLS), len(MASSES)))
 PLACE = np.full((len(WALLS), len(MASSES)), np.nan)
 # endif
+# ifdef HAS_STATIC
+STATIC = [coefficient for (coefficient,) in GIVEN_STATIC]  # of the static friction of each wall
+SLIDES = np.zeros((len(WALLS), len(MASSES)), bool)  # whether each mass slides on each wall
+WHOLE = 1.0 - 1e-9  # part of the largest stretch from which on one does
+# endif
 
 # endif
 # ifdef HAS_GRIPPED
 # A row for each tangential spring at the start: wall, mass, and stretch (px).
 GRIPPED = GIVEN_GRIPPED
+
+# endif
+# ifdef HAS_RAILS
+# A row for each mass that moves only along a rail: which it is, and the unit vector of the rail.
+RAILS = np.array(GIVEN_RAILS)
+RAILED, WAY = RAILS[:, 0].astype(int), RAILS[:, 1:]
+
+# endif
+# ifdef HAS_SLIDING
+# A row for each mass that slides at the start on a wall with static friction: wall and mass.
+SLIDING = GIVEN_SLIDING
 
 # endif
 # ifdef HAS_CIRCLES
@@ -152,7 +196,20 @@ def stretches(k, x):
     """Of the tangential springs between a wall and each mass (px), and where along it the masses are (px)."""
     nx, ny = WALLS[k][2:4]
     place = x[:, 1] * nx - x[:, 0] * ny
+    # ifdef HAS_BELTS
+    moved = place - PLACE[k] - BELTS[k] * DT  # since the end of the last step
+    return np.where(np.isnan(PLACE[k]), 0.0, STRETCH[k] + moved), place
+    # else
     return np.where(np.isnan(PLACE[k]), 0.0, STRETCH[k] + place - PLACE[k]), place
+    # endif
+
+
+# endif
+# ifdef HAS_STATIC
+def limits(k):
+    """The coefficient of the friction between a wall and each mass."""
+    friction = WALLS[k][5]
+    return np.where(SLIDES[k], friction, max(STATIC[k], friction))
 
 
 # endif
@@ -163,8 +220,15 @@ def touch(k, x, v):
     The push grows with the square of the depth, softened so that a long step makes no energy.
     """
     px, py, nx, ny, hardness, friction, slip, loss = WALLS[k][:8]
+    # ifdef HAS_SIZES
+    depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny + SIZES, 0.0)
+    # else
     depth = np.maximum((px - x[:, 0]) * nx + (py - x[:, 1]) * ny, 0.0)
+    # endif
     out, along = v[:, 0] * nx + v[:, 1] * ny, v[:, 1] * nx - v[:, 0] * ny
+    # ifdef HAS_BELTS
+    along -= BELTS[k]
+    # endif
     power = (DT * (loss * hardness * depth**2 + 4.0 * DT * hardness * depth)) ** 4
     gain = 1.0 - (loss + 0.5 * DT / np.maximum(depth, 1e-300) * power / (1.0 + power)) * out
     # ifdef HAS_HYSTERESIS
@@ -173,6 +237,9 @@ def touch(k, x, v):
     gain -= hysteresis * np.tanh(out / np.maximum(slow, 1e-300))
     # endif
     push = hardness * depth**2 * np.maximum(gain, 0.0) / (1.0 + power) ** 0.25
+    # ifdef HAS_STATIC
+    friction = limits(k)
+    # endif
     most = friction * push
     rub = most * np.tanh(along / (slip**4 + (DT * most) ** 4) ** 0.25)
     # ifdef HAS_GRIPS
@@ -194,7 +261,24 @@ def stick(x, v):
             depth, push, _ = touch(k, x, v)
             stretch, place = stretches(k, x)
             most = wall[5] * push / softened(wall[-2])
+            # ifdef HAS_STATIC
+            along = v[:, 1] * wall[2] - v[:, 0] * wall[3]
+            # ifdef HAS_BELTS
+            along -= BELTS[k]
+            # endif
+            begins = ~SLIDES[k] & (STATIC[k] > wall[5])
+            begins &= abs(stretch) >= WHOLE * limits(k) * push / softened(wall[-2])
+            most = np.where(begins | SLIDES[k], most, limits(k) * push / softened(wall[-2]))
+            SLIDES[k] = (depth > 0.0) & (begins | SLIDES[k] & (stretch * along > 0.0))
+            # endif
             STRETCH[k], PLACE[k] = np.clip(stretch, -most, most), np.where(depth > 0.0, place, np.nan)
+
+
+# endif
+# ifdef HAS_RAILS
+def along_rails(vectors):
+    """Vectors of the masses on rails, without what is across the rails."""
+    return WAY * (WAY * vectors).sum(1, keepdims=True)
 
 
 # endif
@@ -237,8 +321,10 @@ def accelerations(x, v):
     # ifdef HAS_CONSERVATIVE_LAW
     energy = JOINT_K * (length[P] * length[Q] - COS * dot - SIN * cross)
     # endif
-    # ifdef HAS_JOINT_DAMPING
+    # ifdef HAS_TURNING
     turning = (spring[:, 0] * rate[:, 1] - spring[:, 1] * rate[:, 0]) / length**2
+    # endif
+    # ifdef HAS_JOINT_DAMPING
     torque += JOINT_C * length[P] * length[Q] * (turning[Q] - turning[P])
     # endif
     # ifdef HAS_JOINT_SIDES
@@ -256,6 +342,15 @@ def accelerations(x, v):
     across = np.stack((-spring[:, 1], spring[:, 0]), 1) / (length**2)[:, None]
     np.add.at(on_b, P, torque[:, None] * across[P])
     np.add.at(on_b, Q, -torque[:, None] * across[Q])
+    # ifdef HAS_MOTORS
+    first, second, wanted = P[MOTOR], Q[MOTOR], SPEED
+    # ifdef HAS_STEERING
+    wanted = np.where(STEERED < 0, 1.0, STEER[STEERED]) * SPEED
+    # endif
+    torque = MOST * np.tanh((wanted - turning[second] + turning[first]) / MARGIN)
+    np.add.at(on_b, first, -torque[:, None] * across[first])
+    np.add.at(on_b, second, torque[:, None] * across[second])
+    # endif
     # ifdef HAS_JOINT_ENERGY
     # The energy grows with the lengths, and so pulls along the springs.
     along = spring / (length**2)[:, None]
@@ -327,6 +422,9 @@ def accelerations(x, v):
         _, push, rub = touch(k, x, v)
         a += np.stack((push * nx + rub * ny, push * ny - rub * nx), 1)
     # endif
+    # ifdef HAS_RAILS
+    a[RAILED] = along_rails(a[RAILED])
+    # endif
     # ifdef HAS_HELD
     return np.where(FREE, a, 0.0)
     # else
@@ -337,11 +435,17 @@ def accelerations(x, v):
 # ifdef HAS_CIRCLES
 def lead(x, v, t):
     """Put masses on circles where they are at time t."""
+    # ifdef HAS_RAILED_CIRCLES
+    before = x[RAILED]  # those on rails go to and fro along them
+    # endif
     for mass, at_x, at_y, radius, frequency, ramp in CIRCLES:
         fade, turn = np.exp(-t / ramp), 2.0 * np.pi * frequency
         phase, speed = turn * (t - ramp * (1.0 - fade)), radius * turn * (1.0 - fade)
         x[mass] = at_x + radius * np.sin(phase), at_y + radius * (1.0 - np.cos(phase))
         v[mass] = speed * np.cos(phase), speed * np.sin(phase)
+    # ifdef HAS_RAILED_CIRCLES
+    x[RAILED], v[RAILED] = before + along_rails(x[RAILED] - before), along_rails(v[RAILED])
+    # endif
 
 
 # endif
@@ -389,6 +493,10 @@ if __name__ == "__main__":
     # ifdef HAS_GRIPPED
     for wall, mass, stretch in GRIPPED:
         STRETCH[wall, mass], PLACE[wall, mass] = stretch, stretches(wall, x)[1][mass]
+    # endif
+    # ifdef HAS_SLIDING
+    for wall, mass in SLIDING:
+        SLIDES[wall, mass] = True
     # endif
     steps = int(sys.argv[1]) if len(sys.argv) > 1 else GIVEN_STEPS
     for i in range(steps):

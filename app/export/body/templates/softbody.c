@@ -26,6 +26,10 @@
 #define GIVEN_AROUND { 0 }
 #define GIVEN_WALLS { { 0 } }
 #define GIVEN_GRIPPED { { 0 } }
+#define GIVEN_SIZES { { 0.0 } }
+#define GIVEN_SLIDING { { 0 } }
+#define GIVEN_MOTORS { { 0 } }
+#define GIVEN_RAILS { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
 #define GIVEN_STRETCHED { { 0 } }
 #define GIVEN_BENT { { 0 } }
@@ -67,6 +71,40 @@ static const struct {
     double stretch;  // px
 } gripped[] = GIVEN_GRIPPED;
 enum { GRIPPED = sizeof gripped / sizeof *gripped };
+
+# endif
+# ifdef HAS_MOTORS
+static const struct {
+    int joint;      // whose second spring it turns against the first
+    double speed;   // the rate at which the angle should grow, 1/s
+    double torque;  // the largest, kg px^2/s^2
+    double slip;    // how far the rate is off where three quarters of the torque act, 1/s
+# ifdef HAS_STEERING
+    int steer;      // the index in `body->steer` of what steers it, or -1
+# endif
+} motor[] = GIVEN_MOTORS;
+enum { MOTORS = sizeof motor / sizeof *motor };
+
+# endif
+# ifdef HAS_RAILS
+static const struct {
+    int mass;     // that moves only along a rail
+    double x, y;  // the unit vector of the rail
+} rail[] = GIVEN_RAILS;
+enum { RAILS = sizeof rail / sizeof *rail };
+
+# endif
+# ifdef HAS_SIZES
+static const struct {
+    double radius;  // px, of a mass that is solid; 0 of any other
+} solid[SOFTBODY_MASSES] = GIVEN_SIZES;
+
+# endif
+# ifdef HAS_SLIDING
+static const struct {
+    int wall, mass;  // that slides on it at the start, in spite of static friction
+} sliding[] = GIVEN_SLIDING;
+enum { SLIDING = sizeof sliding / sizeof *sliding };
 
 # endif
 # ifdef HAS_CIRCLES
@@ -138,12 +176,24 @@ static double place(const softbody *body, int k, int i) {
 
 // The stretch of the tangential spring between wall k and mass i, px.
 static double stretch(const softbody *body, int k, int i) {
+# ifdef HAS_BELTS
+    double since = SOFTBODY_DT * body->wall[k].speed;  // the end of the last step
+    return body->grip[k][i].holds ? body->grip[k][i].stretch + place(body, k, i) - body->grip[k][i].place - since : 0.0;
+# else
     return body->grip[k][i].holds ? body->grip[k][i].stretch + place(body, k, i) - body->grip[k][i].place : 0.0;
+# endif
 }
 
 // The stiffness of the tangential springs of wall k, softened so that a long step makes no energy.
 static double stiffness(const softbody *body, int k) {
     return body->wall[k].grip / pow(1.0 + pow(SOFTBODY_DT * SOFTBODY_DT * body->wall[k].grip, 4), 0.25);
+}
+
+# endif
+# ifdef HAS_STATIC
+// The coefficient of the friction between wall k and mass i.
+static double limit(const softbody *body, int k, int i) {
+    return body->grip[k][i].slides ? body->wall[k].friction : fmax(body->wall[k].still, body->wall[k].friction);
 }
 
 # endif
@@ -154,7 +204,13 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
     double nx = body->wall[k].nx, ny = body->wall[k].ny, hardness = body->wall[k].hardness;
     double depth = (body->wall[k].x - body->mass[i].x) * nx + (body->wall[k].y - body->mass[i].y) * ny;
     double out = body->mass[i].vx * nx + body->mass[i].vy * ny, along = body->mass[i].vy * nx - body->mass[i].vx * ny;
+# ifdef HAS_SIZES
+    depth += solid[i].radius;
+# endif
     if (depth <= 0.0) return 0;
+# ifdef HAS_BELTS
+    along -= body->wall[k].speed;
+# endif
     double elastic = hardness * depth * depth;
     double power = pow(SOFTBODY_DT * (body->wall[k].loss * elastic + 4.0 * SOFTBODY_DT * hardness * depth), 4);
     double gain = 1.0 - (body->wall[k].loss + 0.5 * SOFTBODY_DT / depth * power / (1.0 + power)) * out;
@@ -164,7 +220,11 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
     gain -= body->wall[k].hysteresis * tanh(out / (slow + 1e-300));
 # endif
     *push = elastic * fmax(gain, 0.0) / pow(1.0 + power, 0.25);
+# ifdef HAS_STATIC
+    double most = limit(body, k, i) * *push, slip = pow(pow(body->wall[k].slip, 4) + pow(SOFTBODY_DT * most, 4), 0.25);
+# else
     double most = body->wall[k].friction * *push, slip = pow(pow(body->wall[k].slip, 4) + pow(SOFTBODY_DT * most, 4), 0.25);
+# endif
     *rub = most * tanh(along / slip);
 # ifdef HAS_GRIPS
     if (body->wall[k].grip > 0.0) {
@@ -176,6 +236,26 @@ static int touches(const softbody *body, int k, int i, double *push, double *rub
 }
 
 # endif
+# ifdef HAS_STATIC
+// Notes the stretch of the tangential spring between wall k and mass i, which is pushed. Where that is as long as
+// static friction bears, the mass slides, until it turns round.
+static void slide(softbody *body, int k, int i, double push) {
+    const softbody_wall *wall = &body->wall[k];
+    softbody_grip *grip = &body->grip[k][i];
+    double reach = push / stiffness(body, k), most = limit(body, k, i) * reach;
+    double along = body->mass[i].vy * wall->nx - body->mass[i].vx * wall->ny;
+# ifdef HAS_BELTS
+    along -= wall->speed;
+# endif
+    grip->stretch = clamped(stretch(body, k, i), most);
+    if (grip->slides) grip->slides = grip->stretch * along > 0.0;
+    else if (wall->still > wall->friction && fabs(grip->stretch) >= (1.0 - 1e-9) * most) {
+        grip->slides = 1;
+        grip->stretch = clamped(grip->stretch, wall->friction * reach);
+    }
+}
+
+# endif
 # ifdef HAS_GRIPS
 // After a step, notes the stretch of each tangential spring. What is more than friction bears has slid.
 static void stick(softbody *body) {
@@ -184,11 +264,24 @@ static void stick(softbody *body) {
         if (body->wall[k].grip == 0.0) continue;
         for (int i = 0; i < SOFTBODY_MASSES; i++) {
             int holds = touches(body, k, i, &push, &rub);
+# ifdef HAS_STATIC
+            if (holds) slide(body, k, i, push);
+            else body->grip[k][i].slides = 0;
+# else
             if (holds) body->grip[k][i].stretch = clamped(stretch(body, k, i), body->wall[k].friction * push / stiffness(body, k));
+# endif
             body->grip[k][i].place = place(body, k, i);
             body->grip[k][i].holds = holds;
         }
     }
+}
+
+# endif
+# ifdef HAS_RAILS
+// Takes what is across the r-th rail out of a vector.
+static void keep_along(int r, double *x, double *y) {
+    double along = rail[r].x * *x + rail[r].y * *y;
+    *x = rail[r].x * along, *y = rail[r].y * along;
 }
 
 # endif
@@ -217,7 +310,7 @@ static void accelerate(softbody *body) {
 # ifdef HAS_JOINTS
         body->spring[i].fx = pull * x, body->spring[i].fy = pull * y;
         body->spring[i].x = x, body->spring[i].y = y, body->spring[i].length = length;
-# ifdef HAS_JOINT_DAMPING
+# ifdef HAS_TURNING
         body->spring[i].rx = rx, body->spring[i].ry = ry;
 # endif
 # else
@@ -268,6 +361,19 @@ static void accelerate(softbody *body) {
         body->spring[q].fx -= energy * body->spring[q].x / qq, body->spring[q].fy -= energy * body->spring[q].y / qq;
 # endif
     }
+# ifdef HAS_MOTORS
+    for (int i = 0; i < MOTORS; i++) {
+        softbody_spring *p = &body->spring[body->joint[motor[i].joint].p], *q = &body->spring[body->joint[motor[i].joint].q];
+        double pp = p->length * p->length, qq = q->length * q->length;
+        double rate = (q->x * q->ry - q->y * q->rx) / qq - (p->x * p->ry - p->y * p->rx) / pp, wanted = motor[i].speed;
+# ifdef HAS_STEERING
+        if (motor[i].steer >= 0) wanted *= body->steer[motor[i].steer];
+# endif
+        double torque = motor[i].torque * tanh((wanted - rate) / motor[i].slip);
+        p->fx += torque * p->y / pp, p->fy -= torque * p->x / pp;
+        q->fx -= torque * q->y / qq, q->fy += torque * q->x / qq;
+    }
+# endif
     for (int i = 0; i < SOFTBODY_SPRINGS; i++) {
         softbody_mass *a = &body->mass[body->spring[i].a], *b = &body->mass[body->spring[i].b];
         b->ax += body->spring[i].fx, b->ay += body->spring[i].fy;
@@ -351,6 +457,9 @@ static void accelerate(softbody *body) {
         }
 # endif
     }
+# ifdef HAS_RAILS
+    for (int r = 0; r < RAILS; r++) keep_along(r, &body->mass[rail[r].mass].ax, &body->mass[rail[r].mass].ay);
+# endif
 }
 
 # ifdef HAS_CIRCLES
@@ -365,6 +474,15 @@ static void lead(softbody *body, double t) {
         body->mass[i].x = circle[k].x + radius * sin(phase);
         body->mass[i].y = circle[k].y + radius * (1.0 - cos(phase));
         body->mass[i].vx = speed * cos(phase), body->mass[i].vy = speed * sin(phase);
+# ifdef HAS_RAILED_CIRCLES
+        for (int r = 0; r < RAILS; r++) {  // one on a rail goes to and fro along it
+            if (rail[r].mass != i) continue;
+            double x = body->mass[i].x - circle[k].x, y = body->mass[i].y - circle[k].y;
+            keep_along(r, &x, &y);
+            keep_along(r, &body->mass[i].vx, &body->mass[i].vy);
+            body->mass[i].x = circle[k].x + x, body->mass[i].y = circle[k].y + y;
+        }
+# endif
     }
 }
 
@@ -439,6 +557,9 @@ void softbody_reset(softbody *body) {
         grip->holds = 1, grip->stretch = gripped[g].stretch, grip->place = place(body, k, i);
     }
 # endif
+# ifdef HAS_SLIDING
+    for (int s = 0; s < SLIDING; s++) body->grip[sliding[s].wall][sliding[s].mass].slides = 1;
+# endif
 }
 
 void softbody_step(softbody *body) {
@@ -488,6 +609,11 @@ void softbody_impulse(softbody *body, int mass, double px, double py) {
     softbody_mass *m = &body->mass[mass];
     if (m->held) return;
     m->vx += px / m->mass, m->vy += py / m->mass;
+# ifdef HAS_RAILS
+    for (int r = 0; r < RAILS; r++) {
+        if (rail[r].mass == mass) keep_along(r, &m->vx, &m->vy);
+    }
+# endif
 }
 
 # ifdef HAS_WALLS
@@ -495,6 +621,9 @@ void softbody_move_wall(softbody *body, int wall, double x, double y) {
     body->wall[wall].x = x, body->wall[wall].y = y;
 # ifdef HAS_GRIPS
     for (int i = 0; i < SOFTBODY_MASSES; i++) body->grip[wall][i].holds = 0;
+# ifdef HAS_STATIC
+    for (int i = 0; i < SOFTBODY_MASSES; i++) body->grip[wall][i].slides = 0;
+# endif
 # endif
 }
 

@@ -54,7 +54,7 @@ typedef struct {
 # ifdef HAS_JOINTS
     double x, y, length;  // in the last step: its vector and length, px
     double fx, fy;        // and the force on mass b, kg px/s^2
-# ifdef HAS_JOINT_DAMPING
+# ifdef HAS_TURNING
     double rx, ry;        // and how fast the vector changed, px/s
 # endif
 # endif
@@ -95,6 +95,12 @@ typedef struct {
     double grip;      // stiffness of tangential springs, by which friction holds, 1/s^2
     double resist;    // damping of them, 1/s
 # endif
+# ifdef HAS_BELTS
+    double speed;     // of its surface along (-ny, nx), px/s
+# endif
+# ifdef HAS_STATIC
+    double still;     // coefficient of static friction; one below `friction` counts as that
+# endif
 } softbody_wall;
 
 # ifdef HAS_GRIPS
@@ -102,6 +108,9 @@ typedef struct {
     int holds;       // there is a tangential spring between a wall and a mass
     double stretch;  // px
     double place;    // where along the wall the mass was when it had this stretch, px
+# ifdef HAS_STATIC
+    int slides;      // static friction has been too small, and the mass has not turned round since
+# endif
 } softbody_grip;
 
 # endif
@@ -121,6 +130,9 @@ struct softbody {
 # endif
 # ifdef HAS_WIND
     double wind_x, wind_y;  // velocity of the air, px/s
+# endif
+# ifdef HAS_STEERING
+    double steer[2];  // what steers motors, each from -1 to 1: to the right, and up
 # endif
     softbody_mass mass[SOFTBODY_MASSES];
 # ifdef HAS_SPRINGS

@@ -20,6 +20,12 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @typedef {[x: number, y: number, nx: number, ny: number, hardness: number, friction: number, slipSpeed: number,
  *   ...lost: number[]]} Wall a point, the unit vector to the free side, 1/(px s²), 1, px/s, and the numbers of `Lost` and, for a
  *   mass of 1 kg, of `Tangential`
+ * // ifdef HAS_BELTS
+ *   and, at `BELT`, the speed of the surface along the wall, px/s, or null
+ * // endif
+ * // ifdef HAS_STATIC
+ *   and, at `STATIC`, the coefficient of static friction, or null
+ * // endif
  * @typedef {[x: number, y: number, u: number, v: number, phase: number, rate: number]} Wave of gusts: its wave vector, 1/px,
  *   its amplitude, px/s, its phase at time zero, and the rate of that, 1/s
  * @typedef {{across: number, along: number}} Medium kg/(px s)
@@ -28,14 +34,29 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @typedef {{distance: number, stiffness: number, friction: number, slipSpeed: number,
  *   lost: Lost, tangential: Tangential, margin: number, apart: number[][]}} Contact
  *   px, kg/(px s²), 1, px/s; px; for each spring, the masses that never touch it
+ * // ifdef HAS_SOLID
+ * @typedef {Contact & {solid: [mass: number, apart: number[]][]}} SolidContact with solid masses, each with those that never
+ *   touch it
+ * // endif
  * @typedef {{walls: number[][], springs: number[][]}} Grips of the tangential springs of walls and of springs: wall or spring,
  *   mass, and stretch, px
+ * // ifdef HAS_STATIC
+ * @typedef {Grips & {sliding: number[][]}} SlidingGrips with what slides in spite of static friction: wall and mass
+ * // endif
  * @typedef {{strength: number[], yieldForce: number[], hardening: number[], yieldTorque: number[]}} Limits of springs and
  *   joints: kg px/s², kg/s², kg px²/s²; 1e300 for what has none
  * @typedef {{length: number[], hardened: number[], angle: number[]}} Yielded what has yielded before: rest lengths by how
  *   much, px, yield forces, kg px/s², rest angles, degrees; empty where none has
  * @typedef {{springs: number[], joints: number[]}} Sides of springs and joints: 1 for one that acts only beyond its rest length
  *   or rest angle, -1 for one that acts only below it, 0 for one that acts on both sides
+ * // ifdef HAS_MOTORS
+ * @typedef {[joint: number, speed: number, torque: number, slip: number, steer: number]} Motor the rate at which the angle
+ *   of the joint should grow, 1/s; the largest torque, kg px²/s²; how far the rate is off where three quarters of it act, 1/s;
+ *   the index in `steered` of what steers it, or -1
+ * // endif
+ * // ifdef HAS_RAILS
+ * @typedef {[mass: number, x: number, y: number]} Rail a mass on a rail, and the unit vector of that
+ * // endif
  * @typedef {import("./muscles.js").Muscles} Muscles
  * @typedef {import("./push.js").Lost} Lost
  * @typedef {import("./push.js").Tangential} Tangential
@@ -75,11 +96,30 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {Yielded | null} yielded
  * @property {Grips | null} grips
  * @property {Muscles | null} muscles
+ * // ifdef HAS_MOTORS
+ * @property {Motor[]} [motors]
+ * // endif
+ * // ifdef HAS_SOLID
+ * @property {number[]} [sizes] the radius of each solid mass, px, 0 of all others
+ * // endif
+ * // ifdef HAS_RAILS
+ * @property {Rail[]} [rails]
+ * // endif
  */
 
 /** Area of a gas, as a fraction of its own area, below which its pressure grows linearly. */
 const SMALLEST = 0.01;
 const DEGREE = Math.PI / 180;
+// ifdef HAS_BELTS
+/** Where a wall has the speed of its surface. */
+export const BELT = 12;
+// endif
+// ifdef HAS_STATIC
+/** Where a wall has its coefficient of friction, and that of static friction. */
+const [SLIDING, STATIC] = [5, 13];
+/** Part of the largest stretch from which a tangential spring counts as sliding: it is cut to that, rounded. */
+const WHOLE = 1 - 1e-9;
+// endif
 /** Of a circle, radians. */
 export const TURN = 2 * Math.PI;
 
@@ -93,6 +133,15 @@ const wrapped = (angle) => (angle > 180 ? angle - 360 : angle <= -180 ? angle + 
  */
 export const acts = (side, off, whole) => !side || (side * off > 0 && side * whole > 0);
 
+// ifdef HAS_RAILS
+/** Take what is across a rail out of the vector of its mass, see `Body.keepOnRail`. @param {Rail} rail @param {Float64Array} vectors @param {number} fromX @param {number} fromY */
+function keepAlong([m, x, y], vectors, fromX, fromY) {
+  const along = x * (vectors[2 * m] - fromX) + y * (vectors[2 * m + 1] - fromY);
+  vectors[2 * m] = fromX + x * along;
+  vectors[2 * m + 1] = fromY + y * along;
+}
+
+// endif
 /** A body, and what acts on it. */
 export class Body {
   /** @param {BodyData} data */
@@ -130,6 +179,21 @@ export class Body {
     this.fillings = data.fillings.map((filling) => ({ ...filling }));
     this.contact = data.contact && { ...data.contact };
     this.muscles = data.muscles && { ...data.muscles };
+    // ifdef HAS_SOLID
+    this.sizes = Float64Array.from(data.sizes ?? data.mass.map(() => 0));
+    // endif
+    // ifdef HAS_MOTORS
+    this.motors = data.motors ?? [];
+    /** Whether motors brake as they do at their speeds, where they are stiffest. */
+    this.atSpeed = false;
+    // endif
+    // ifdef HAS_STEERING
+    /** What steers motors, each from -1 to 1: to the right, and up. */
+    this.steered = [0, 0];
+    // endif
+    // ifdef HAS_RAILS
+    this.rails = data.rails ?? [];
+    // endif
     // What muscles make of rest lengths and rest angles now: how many times as long, and by how many degrees more.
     this.stretched = new Float64Array(this.muscles ? this.springs : 0).fill(1);
     this.bent = new Float64Array(this.muscles ? this.joints : 0);
@@ -163,6 +227,10 @@ export class Body {
     this.grips = new Map();
     /** @type {Map<number, number[]>[]} */
     this.wallGrips = this.walls.map(() => new Map());
+    // ifdef HAS_STATIC
+    /** Whether friction fell in the last step, as static friction was too small for a mass. */
+    this.jumped = false;
+    // endif
     this.#grip(data.grips);
     this.refresh();
     this.flex();
@@ -252,7 +320,31 @@ export class Body {
       a[2 * m + 1] = a[2 * m + 1] * w + (held[m] ? 0 : gravity[1]);
     }
     for (let k = 0; k < this.walls.length; k++) this.#addWall(k, softeningStep);
+    // ifdef HAS_RAILS
+    for (const rail of this.rails) keepAlong(rail, a, 0, 0);
+    // endif
   }
+  // ifdef HAS_RAILS
+
+  /**
+   * Take what is across the rail of a mass, if it is on one, out of its position or velocity.
+   *
+   * @param {number} m @param {Float64Array} vectors of all masses @param {number} fromX @param {number} fromY from where it is measured
+   */
+  keepOnRail(m, vectors, fromX = 0, fromY = 0) {
+    const rail = this.rails.find(([mass]) => mass === m);
+    if (rail) keepAlong(rail, vectors, fromX, fromY);
+  }
+
+  /** The place nearest to another one that a mass can be led to: on its rail, if it is on one. @param {number} m @param {number} x @param {number} y */
+  reachable(m, x, y) {
+    const places = this.positions.slice();
+    const [fromX, fromY] = [places[2 * m], places[2 * m + 1]];
+    [places[2 * m], places[2 * m + 1]] = [x, y];
+    this.keepOnRail(m, places, fromX, fromY);
+    return [places[2 * m], places[2 * m + 1]];
+  }
+  // endif
 
   /** Find the vectors and lengths of all springs as they are now. */
   measure() {
@@ -298,6 +390,9 @@ export class Body {
       forces[2 * s + 1] = pull * dy;
     }
     this.#addJoints();
+    // ifdef HAS_MOTORS
+    this.#addMotors();
+    // endif
     for (let s = 0; s < this.springs; s++) {
       const one = 2 * ends[2 * s];
       const two = 2 * ends[2 * s + 1];
@@ -426,6 +521,27 @@ export class Body {
     forces[2 * s + 1] += (torque * x - energy * y) / square;
   }
 
+  // ifdef HAS_MOTORS
+  #addMotors() {
+    const { heldSprings, motors } = this;
+    for (const motor of motors) {
+      const j = motor[0];
+      if (this.isLoose(j)) continue;
+      const p = heldSprings[2 * j];
+      const q = heldSprings[2 * j + 1];
+      let wanted = motor[1];
+      // ifdef HAS_STEERING
+      if (motor[4] >= 0) wanted *= this.steered[motor[4]];
+      // endif
+      const turning = this.turning(q) - this.turning(p);
+      const part = this.atSpeed ? -turning / motor[3] : Math.tanh((wanted - turning) / motor[3]);
+      const torque = motor[2] * part;
+      this.#turn(p, -torque, 0);
+      this.#turn(q, torque, 0);
+    }
+  }
+
+  // endif
   #addFillings() {
     const { positions: x, accelerations: a } = this;
     for (const { masses, isGas, strength, outside, area: size } of this.fillings) {
@@ -530,16 +646,27 @@ export class Body {
    */
   #forMassesIn(k, h, see) {
     const { positions: x, velocities: v, held } = this;
-    const [px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis, calm, stiffness, resisting] = this.walls[k];
+    let [px, py, nx, ny, hardness, friction, slipSpeed, damping, hysteresis, calm, stiffness, resisting] = this.walls[k];
     for (let m = 0; m < this.masses; m++) {
       const i = 2 * m;
-      const depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
+      let depth = (px - x[i]) * nx + (py - x[i + 1]) * ny;
+      // ifdef HAS_SOLID
+      depth += this.sizes[m];
+      // endif
       if (!(depth > 0) || held[m]) continue;
       const speed = v[i] * nx + v[i + 1] * ny;
-      const along = v[i + 1] * nx - v[i] * ny;
+      let along = v[i + 1] * nx - v[i] * ny;
       const place = x[i + 1] * nx - x[i] * ny;
       const was = stiffness ? this.wallGrips[k].get(m) : undefined;
-      const stretch = was ? was[0] + (place - was[1]) : 0;
+      let stretch = was ? was[0] + (place - was[1]) : 0;
+      // ifdef HAS_STATIC
+      friction = this.#limit(k, m);
+      // endif
+      // ifdef HAS_BELTS
+      const belt = this.walls[k][BELT] ?? 0;
+      along -= belt;
+      if (was) stretch -= belt * (this.time - was[2]);
+      // endif
       const [push, rub] = pushAndFriction(
         hardness, [damping, hysteresis, calm], friction, slipSpeed, [stiffness, resisting], h, 1, 1, depth, speed, along,
         stretch,
@@ -551,23 +678,73 @@ export class Body {
   /** After a step of h seconds, note the stretch of each tangential spring, and let sliders slide. @param {number} h */
   stick(h) {
     if (this.contact) stickToSprings(this, this.contact, h);
+    // ifdef HAS_STATIC
+    this.jumped = false;
+    // endif
     this.walls.forEach((wall, k) => {
       if (!wall[10]) return;
       const [stiffness] = softened([wall[10], wall[11]], h, 1);
       const next = new Map();
       this.#forMassesIn(k, h, (i, _depth, push, _rub, stretch, place) => {
         next.set(i / 2, [clamp(stretch, (wall[5] * push) / stiffness), place]);
+        // ifdef HAS_BELTS
+        next.get(i / 2).push(this.time);
+        // endif
+        // ifdef HAS_STATIC
+        this.#slide(k, i / 2, next.get(i / 2), stretch, push / stiffness);
+        // endif
       });
       this.wallGrips[k] = next;
     });
   }
 
+  // ifdef HAS_STATIC
+  /** The coefficient of the friction between a wall and a mass. @param {number} k @param {number} m */
+  #limit(k, m) {
+    const wall = this.walls[k];
+    const slides = this.wallGrips[k].get(m)?.at(-1);
+    return wall[STATIC] > wall[SLIDING] && !slides ? wall[STATIC] : wall[SLIDING];
+  }
+
+  /**
+   * Let a mass slide for which static friction is too small, until it turns round. The last number of what is remembered says
+   * whether it slides.
+   *
+   * @param {number} k @param {number} m @param {number[]} grip what is remembered, its stretch first @param {number} stretch px
+   * @param {number} reach the largest stretch by a friction of 1, px
+   */
+  #slide(k, m, grip, stretch, reach) {
+    const { velocities: v } = this;
+    const wall = this.walls[k];
+    const limit = this.#limit(k, m);
+    let slides = 0;
+    if (wall[STATIC] > wall[SLIDING]) {
+      grip[0] = clamp(stretch, limit * reach);
+      const along = v[2 * m + 1] * wall[2] - v[2 * m] * wall[3] - (wall[12] ?? 0);
+      if (limit < wall[STATIC]) slides = Number(grip[0] * along > 0);
+      else if (Math.abs(grip[0]) >= WHOLE * limit * reach) {
+        slides = 1;
+        this.jumped = true;
+        grip[0] = clamp(grip[0], wall[SLIDING] * reach);
+      }
+    }
+    grip.push(slides);
+  }
+
+  // endif
   /** Let tangential springs have the stretches with which the body was written. @param {Grips | null} grips */
   #grip(grips) {
     const { positions: x } = this;
     for (const [k, m, stretch] of grips?.walls ?? []) {
       const [, , nx, ny] = this.walls[k];
       this.wallGrips[k].set(m, [stretch, x[2 * m + 1] * nx - x[2 * m] * ny]);
+      // ifdef HAS_BELTS
+      this.wallGrips[k].get(m)?.push(this.time);
+      // endif
+      // ifdef HAS_STATIC
+      const { sliding = [] } = /** @type {SlidingGrips} */ (grips);
+      this.wallGrips[k].get(m)?.push(Number(sliding.some(([wall, mass]) => wall === k && mass === m)));
+      // endif
     }
     if (this.contact && grips) gripSprings(this, this.contact, grips.springs);
   }

@@ -129,6 +129,9 @@ export class Clock {
 
   /** As far on the way of a hand as it may lead its mass in some time (s). @param {Hand} hand @param {number} time @returns {Hand} */
   #within({ mass, x, y }, time) {
+    // ifdef HAS_RAILS
+    [x, y] = this.body.reachable(mass, x, y);
+    // endif
     const { positions } = this.body;
     const [dx, dy] = [x - positions[2 * mass], y - positions[2 * mass + 1]];
     const part = Math.min(1, (fastest(this.body, mass) * time) / Math.max(Math.hypot(dx, dy), 1e-9));

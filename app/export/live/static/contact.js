@@ -5,6 +5,9 @@
  *
  * @typedef {import("./body.js").Body} Body
  * @typedef {import("./body.js").Contact} Contact
+ * // ifdef HAS_SOLID
+ * @typedef {import("./body.js").SolidContact} SolidContact
+ * // endif
  */
 import { clamp, pushAndFriction, softened } from "./push.js";
 
@@ -35,18 +38,34 @@ function nearPairs(body, { distance, margin, apart }) {
   const before = found.get(body);
   if (before && hasStayed(x, before.at, margin / (2 * Math.SQRT2))) return before.pairs;
   const pairs = [];
-  const reach = distance + margin;
+  let reach = distance + margin;
   for (let s = 0; s < body.springs; s++) {
+    // ifdef HAS_SOLID
+    if (!distance) break; // only solid masses touch, and each other
+    // endif
     const never = new Set(apart[s]);
     const [a, b] = [2 * ends[2 * s], 2 * ends[2 * s + 1]];
     for (let m = 0; m < body.masses; m++) {
       if (never.has(m)) continue;
+      // ifdef HAS_SOLID
+      reach = distance + margin + body.sizes[m];
+      // endif
       const t = meeting(x, 2 * m, a, b);
       const dx = x[2 * m] - x[a] - t * (x[b] - x[a]);
       const dy = x[2 * m + 1] - x[a + 1] - t * (x[b + 1] - x[a + 1]);
       if (dx * dx + dy * dy < reach * reach) pairs.push(m, s);
     }
   }
+  // ifdef HAS_SOLID
+  const { solid = [] } = /** @type {SolidContact} */ (body.contact);
+  for (const [k, [one, never]] of solid.entries()) {
+    for (let m = 0; m < body.masses; m++) {
+      if (m <= one || !body.sizes[m] || never.includes(m)) continue;
+      reach = body.sizes[one] + body.sizes[m] + margin;
+      if (Math.hypot(x[2 * m] - x[2 * one], x[2 * m + 1] - x[2 * one + 1]) < reach) pairs.push(m, body.springs + k);
+    }
+  }
+  // endif
   const near = { at: x.slice(), pairs: Int32Array.from(pairs) };
   found.set(body, near);
   return near.pairs;
@@ -116,13 +135,20 @@ function forPairs(body, contact, h, see) {
     const s = pairs[p + 1];
     if (broken[s]) continue;
     const i = 2 * m;
-    const a = 2 * ends[2 * s];
-    const b = 2 * ends[2 * s + 1];
+    let a = 2 * ends[2 * s];
+    let b = 2 * ends[2 * s + 1];
+    let reach = contact.distance;
+    // ifdef HAS_SOLID
+    // A solid mass is a spring of length zero.
+    const one = s < body.springs ? -1 : /** @type {SolidContact} */ (contact).solid[s - body.springs][0];
+    if (one >= 0) a = b = 2 * one;
+    reach = body.sizes[m] + (one < 0 ? reach : body.sizes[one]);
+    // endif
     const t = meeting(x, i, a, b);
     const dx = x[i] - x[a] - t * (x[b] - x[a]);
     const dy = x[i + 1] - x[a + 1] - t * (x[b + 1] - x[a + 1]);
     const square = dx * dx + dy * dy;
-    if (!(square < contact.distance * contact.distance)) continue;
+    if (!(square < reach * reach)) continue;
     const u = 1 - t;
     const r = Math.sqrt(square);
     const [nx, ny] = [dx / (r + 1e-300), dy / (r + 1e-300)];
@@ -149,7 +175,7 @@ function forPairs(body, contact, h, see) {
     }
     const [push, rub] = pushAndFriction(
       contact.stiffness, contact.lost, friction, contact.slipSpeed, contact.tangential, h,
-      mobility, mobilityAlong, contact.distance - r, speed, along, stretch,
+      mobility, mobilityAlong, reach - r, speed, along, stretch,
     );
     const [fx, fy, gx, gy] = [push * nx + rub * ny, push * ny - rub * nx, rub * lx, rub * ly];
     const most = (friction * push) / softened(contact.tangential, h, mobilityAlong)[0];

@@ -18,7 +18,8 @@
  * @property {string} goalText the goal in words
  * @property {Differing} about with what it begins
  * @property {Differing | null} run with what the case begins that it asks about; null if that is the same
- * @typedef {{code: string, frame: import("./answers.js").Frame, steps: Step[]}} Lesson
+ * @typedef {{code: string, frame: import("./answers.js").Frame, steps: Step[], derived?: Record<string,
+ *   {node: import("./derived.js").Node, unwrapped: boolean}>}} Lesson what its steps measure that is computed, by its name
  * @typedef {object} Given
  * @property {number | null} choice
  * @property {boolean} known whether the right answer was revealed

@@ -6,6 +6,9 @@
  * @typedef {import("./steps.js").Hand} Hand
  */
 import { Body } from "./body.js";
+// ifdef HAS_BELTS
+import { BELT } from "./body.js";
+// endif
 import { energies } from "./energy.js";
 import { leak } from "./limits.js";
 import { setTempo } from "./muscles.js";
@@ -197,6 +200,9 @@ export class SoftBody extends Body {
     if (this.held[mass]) return;
     this.velocities[2 * mass] += x / this.mass[mass];
     this.velocities[2 * mass + 1] += y / this.mass[mass];
+    // ifdef HAS_RAILS
+    this.keepOnRail(mass, this.velocities);
+    // endif
   }
 
   /**
@@ -229,6 +235,23 @@ export class SoftBody extends Body {
     this.wallGrips[wall].clear();
   }
 
+  // ifdef HAS_STEERING
+  /** Steer motors, until they are steered otherwise: each from -1 to 1. @param {number} right @param {number} up */
+  steer(right, up = 0) {
+    finite("steer", right, up);
+    this.steered = [right, up];
+  }
+
+  // endif
+  // ifdef HAS_BELTS
+  /** Run a wall as a belt, px/s along (-ny, nx). @param {number} wall @param {number} speed */
+  setBelt(wall, speed) {
+    known("setBelt", "wall", wall, this.walls.length);
+    finite("setBelt", speed);
+    this.walls[wall][BELT] = speed;
+  }
+
+  // endif
   /** Cut a spring for good, and let out what a loop with it holds. @param {number} spring */
   cut(spring) {
     known("cut", "spring", spring, this.springs);

@@ -3,7 +3,7 @@
  * Hands on the body of a live file: by mouse, pen and several fingers, and by keys alone while the canvas has the focus.
  *
  * @typedef {Pick<import("./body.js").Body, "masses"> & {positions: ArrayLike<number> & {[i: number]: number},
- *   velocities: {[i: number]: number}}} Moved
+ *   velocities: {[i: number]: number}, reachable?: (mass: number, x: number, y: number) => number[]}} Moved
  * @typedef {import("./steps.js").Hand} Hand
  * @typedef {import("../../../stage/plan.js").Plan} Plan
  * @typedef {import("../../../stage/environment.js").Screen} Screen
@@ -136,7 +136,10 @@ export class Hands {
   /** Put the masses where hands have them, while the clock stands. */
   moveAtOnce() {
     const { positions, velocities } = this.shown.body;
-    for (const { mass, x, y } of this.all) {
+    for (let { mass, x, y } of this.all) {
+      // ifdef HAS_RAILS
+      if (this.shown.body.reachable) [x, y] = this.shown.body.reachable(mass, x, y);
+      // endif
       positions[2 * mass] = x;
       positions[2 * mass + 1] = y;
       velocities[2 * mass] = velocities[2 * mass + 1] = 0;

@@ -29,6 +29,9 @@ import { Course } from "./course.js";
 import { Hands } from "./hands.js";
 import { Panel } from "./panel.js";
 import { Recording } from "./quantities.js";
+// ifdef HAS_DERIVED
+import { addDerived } from "./quantities.js";
+// endif
 import { partOfLimit } from "./readings.js";
 import { write } from "./settings.js";
 import { isDark } from "./view.js";
@@ -62,6 +65,9 @@ export class Live {
     this.plans = plans;
     this.present = plans[0];
     element("follow", HTMLButtonElement).hidden = plans[0][0].driven < 0;
+    // ifdef HAS_DERIVED
+    addDerived(about.lesson?.derived ?? {});
+    // endif
     this.clock = this.#newClock();
     this.panel = new Panel(about, this);
     this.hands = new Hands(this.canvas, this);

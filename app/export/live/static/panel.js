@@ -5,7 +5,7 @@
  * @typedef {import("./live.js").About} About
  * @typedef {import("./live.js").Live} Live
  * @typedef {import("./settings.js").Setting} Setting
- * @typedef {import("./steps.js").Presses} Presses
+ * @typedef {import("./steps.js").Steering} Steering
  */
 import { heldArrow } from "../../../ui/hands/arrow_keys.js";
 import { listenToPad, releasePad } from "../../../ui/hands/arrow_pad.js";
@@ -40,8 +40,11 @@ export class Panel {
     this.play = button("play");
     this.follow = button("follow");
     this.clock = element("clock", HTMLOutputElement);
-    const hasArrows = Boolean(about.up || about.right);
+    let hasArrows = Boolean(about.up || about.right);
     const view = addView({ arrows: hasArrows, follow: !this.follow.hidden });
+    // ifdef HAS_STEERING
+    hasArrows = true;
+    // endif
     this.play.addEventListener("click", () => live.toggle());
     this.follow.addEventListener("click", () => live.follow());
     button("step").addEventListener("click", () => live.step());
@@ -103,13 +106,16 @@ export class Panel {
     this.others.hidden = folded.length === 0;
   }
 
-  /** What held keys do in a second. @returns {Presses} */
+  /** What held keys do in a second. @returns {Steering} */
   get presses() {
     const { up, right } = this.about;
     const held = (/** @type {string} */ key) => this.#held.has(key);
     return {
       factor: up ? (held("up") ? up.factor : 1) / (held("down") ? up.factor : 1) : 1,
       angle: right ? right.angle * (Number(held("right")) - Number(held("left"))) : 0,
+      // ifdef HAS_STEERING
+      steered: [Number(held("right")) - Number(held("left")), Number(held("up")) - Number(held("down"))],
+      // endif
     };
   }
 

@@ -12,6 +12,9 @@
  * @property {number} seconds
  */
 import { acts } from "./body.js";
+// ifdef HAS_DERIVED
+import { valueOf } from "./derived.js";
+// endif
 import { energies } from "./energy.js";
 import { swings } from "./swings.js";
 
@@ -76,8 +79,22 @@ function lengthOf({ positions: x, ends }, s) {
   return Math.hypot(x[b] - x[a], x[b + 1] - x[a + 1]);
 }
 
+// ifdef HAS_DERIVED
+/** What is computed, by its name. @type {Map<string, {node: import("./derived.js").Node, unwrapped: boolean}>} */
+const derived = new Map();
+
+/** Know more that is computed. @param {Record<string, {node: import("./derived.js").Node, unwrapped: boolean}>} more */
+export function addDerived(more) {
+  for (const [name, one] of Object.entries(more)) derived.set(name, one);
+}
+
+// endif
 /** The present value of a quantity; NaN for what is not known. @param {Body} body @param {string} name such as "mass1.y" */
 export function measure(body, name) {
+  // ifdef HAS_DERIVED
+  const own = derived.get(name);
+  if (own) return valueOf(body, own.node, measure);
+  // endif
   const [, of, index, what] = /^([a-z]+)(\d*)\.([a-z_]+)$/.exec(name) ?? [];
   return READ[`${of}.${what}`]?.(body, Number(index)) ?? NaN;
 }
@@ -110,6 +127,12 @@ export class Recording {
     times.push(body.time);
     for (const [name, values] of this.values) {
       const value = name === "stability.dt_over_limit" ? part : measure(body, name);
+      // ifdef HAS_DERIVED
+      if (derived.get(name)?.unwrapped) {
+        values.push(unwrapped(value, values[values.length - 1]));
+        continue;
+      }
+      // endif
       values.push(UNWRAPPED.test(name) ? unwrapped(value, values[values.length - 1]) : value);
     }
     if (times[0] < body.time - SPAN - 1) {

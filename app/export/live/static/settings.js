@@ -12,7 +12,7 @@
  * @property {number} high
  * @property {boolean} logarithmic
  * @property {number | string} value at first
- * @property {string[]} sets the name of what sets it, and of what in the body
+ * @property {any[]} sets the name of what sets it, and of what in the body
  * @property {[value: number | string, label: string][]} [options] where it is chosen from a list
  * @property {Record<string, number>} [stiffness] of joints, kg/s², by the rest angle in degrees: for the tutorial's templates
  */
@@ -57,7 +57,7 @@ function blow(body, change) {
 /**
  * What sets a number or a choice, by the first name in `Setting.sets`; `names` are the others.
  *
- * @type {Record<string, (body: any, value: any, names: string[], setting: Setting) => void>}
+ * @type {Record<string, (body: any, value: any, names: any[], setting: Setting) => void>}
  */
 const SETTERS = {
   field: (body, value, names) => {
@@ -81,9 +81,9 @@ const SETTERS = {
   },
   wind: (body, value, [name]) => blow(body, { [name]: value }),
   gusts: (body, value, _, { value: first }) => blow(body, { gusts: value / Number(first) }),
-  walls: (body, value, _, setting) => {
-    const frictions = scaled(body.data.walls.map((/** @type {number[]} */ wall) => wall[FRICTION]), value, setting);
-    frictions.forEach((friction, i) => (body.walls[i][FRICTION] = friction));
+  walls: (body, value, [at = FRICTION], setting) => {
+    const own = body.data.walls.map((/** @type {(number | null)[]} */ wall) => wall[at]);
+    scaled(own, value, setting).forEach((to, k) => own[k] !== null && (body.walls[k][at] = to));
   },
 };
 

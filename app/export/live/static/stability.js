@@ -30,10 +30,13 @@ export class StabilityMeter {
     this.looked = false;
   }
 
-  /** Look at the body as it is, with springs and joints of one side that may act soon; returns the limit, s. */
+  /** Look at the body as it is, with springs and joints of one side that may act soon, and motors at their speeds; returns the limit, s. */
   look() {
     const { body } = this;
     const release = body.brace();
+    // ifdef HAS_MOTORS
+    body.atSpeed = true;
+    // endif
     const state = [body.positions.slice(), body.velocities.slice()];
     const scale = this.limit < Infinity ? this.limit : 1e-3;
     let limit = Infinity;
@@ -58,6 +61,9 @@ export class StabilityMeter {
     body.positions.set(state[0]);
     body.velocities.set(state[1]);
     release();
+    // ifdef HAS_MOTORS
+    body.atSpeed = false;
+    // endif
     this.looked = true;
     return (this.limit = limit > 0 ? limit : Infinity);
   }

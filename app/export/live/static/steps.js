@@ -6,6 +6,9 @@
  * @typedef {{mass: number, x: number, y: number}} Hand a mass that is led, and where to, px
  * @typedef {{factor: number, angle: number}} Presses what held keys do in a second: a factor of all rest lengths, and degrees
  *   that all rest angles grow by
+ * // ifdef HAS_STEERING
+ * @typedef {Presses & {steered?: number[]}} Steering and how they steer motors, to the right and up
+ * // endif
  */
 import { TURN } from "./body.js";
 import { settle, yieldHere } from "./limits.js";
@@ -26,6 +29,10 @@ export function goRound(body, t) {
     x[2 * mass + 1] = atY + radius * (1 - cosine);
     v[2 * mass] = radius * cosine * rate;
     v[2 * mass + 1] = radius * sine * rate;
+    // ifdef HAS_RAILS
+    body.keepOnRail(mass, x, atX, atY);
+    body.keepOnRail(mass, v);
+    // endif
   }
 }
 
@@ -115,6 +122,9 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
   const seen = body.law === "tutorial" ? 0 : 1 / duration;
   const ways = hands.map(({ mass, x: toX, y: toY }) => {
     const i = 2 * mass;
+    // ifdef HAS_RAILS
+    [toX, toY] = body.reachable(mass, toX, toY);
+    // endif
     return { i, x: x[i], y: x[i + 1], dx: toX - x[i], dy: toY - x[i + 1] };
   });
   const before = hands.map(({ mass }) => body.held[mass]);
@@ -129,6 +139,10 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
       v[way.i + 1] = way.dy * seen;
     }
   };
+  // ifdef HAS_STEERING
+  const { steered } = /** @type {Steering} */ (presses);
+  if (steered) body.steered = steered;
+  // endif
   const step = METHODS[method];
   lead(start, start);
   if (start === body.data.time) settle(body); // it may be beyond its limits where it was put
@@ -137,6 +151,9 @@ export function advance(body, method, h, count, hands = [], presses = { factor: 
     press(body, presses, h);
     step(body, h, lead);
     body.stick(h);
+    // ifdef HAS_STATIC
+    if (body.jumped && method === "verlet") accelerateHere(body, h);
+    // endif
     if (settle(body) && method === "verlet") accelerateHere(body, h);
   }
   hands.forEach(({ mass }, i) => {

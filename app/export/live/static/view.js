@@ -15,6 +15,9 @@ const KEYS = [
   ["F", "the ringed mass follows the pointer, or stops", "follow"],
   ["↑ ↓ held", "springs get longer or shorter", "arrows"],
   ["→ ← held", "rest angles grow or shrink", "arrows"],
+  // ifdef HAS_STEERING
+  ["arrows held", "motors turn, forwards and backwards"],
+  // endif
   ["D, P", "dark or white; larger, for a projector"],
   ["Tab", "to the body: there arrows choose a mass, Space takes hold of it, arrows move it"],
   ["?", "this help"],
