@@ -305,7 +305,7 @@ def test_walls_of_all_kinds_hold_and_carry_as_in_the_solver(of: dict[str, Any]) 
 def test_a_block_sticks_and_slips_as_in_the_solver(before: int) -> None:
     scenes = []
     for method in METHODS:
-        begun = sim.Simulation(replace(block_on_a_belt(), integrator=sim.Integrator(method=method, dt=2e-3)))
+        begun = sim.Simulation(apply_assignments(block_on_a_belt(), [f"method={method}", "dt=0.002"]))
         begun.step(before)
         pose = begun.pose()
         assert before == 0 or (pose.grips is not None and pose.grips.sliding)

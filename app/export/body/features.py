@@ -8,7 +8,7 @@ from collections.abc import Callable
 from sim.forces.motors import has_motors
 from sim.forces.rails import has_rails
 from sim.scene.columns import is_set_in_any
-from sim.scene.types import Scene, is_steered
+from sim.scene.types import Scene, steered_by
 
 _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_RAILS": has_rails,
@@ -16,7 +16,7 @@ _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_SOLID": lambda scene: is_set_in_any(scene.masses, "solid"),
     "HAS_STATIC": lambda scene: any(wall.static_friction for wall in scene.walls),
     "HAS_MOTORS": has_motors,
-    "HAS_STEERING": is_steered,
+    "HAS_STEERING": lambda scene: bool(steered_by(scene)),
 }
 
 

@@ -20,7 +20,7 @@ from sim.forces.all import TERMS
 from sim.forces.muscles import steer_of
 from sim.forces.touch.walls import WallRow
 from sim.scene.parts import JointMuscle, SpringMuscle
-from sim.scene.types import ForceLaw, Method, Scene, is_damageable, is_steered, shown_name
+from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name, steered_by
 from sim.solve.registry import METHODS
 
 from ...conditional import needed_lines
@@ -201,13 +201,13 @@ class Plan:
 
     def _motors(self) -> list[tuple[float | int, ...]]:
         """A row for each motor, with the keys that steer it if any are steered."""
-        body, steered = self.body, is_steered(self.body.scene)
-        loose = body.broken[body.joints].any(1)
+        body, steered = self.body, steered_by(self.body.scene)
+        loose = {j for j, springs in enumerate(body.joints) if body.broken[springs].any()}
         return [
             (
                 j,
                 math.radians(motor.speed),
-                0.0 if loose[j] else motor.torque,
+                0.0 if j in loose else motor.torque,
                 math.radians(motor.slip),
                 *([steer_of(motor.keys)] if steered else ()),
             )
@@ -219,7 +219,7 @@ class Plan:
         grips = self.body.moment.grips
         return list(grips.walls) if grips is not None and self.body.walls[:, _GRIP].any() else []
 
-    def _sliding(self) -> list[tuple[int, int]]:
+    def _sliding(self) -> list[tuple[float | int, ...]]:
         """A row for each wall with static friction and a mass that slides on it."""
         grips = self.body.moment.grips
         return list(grips.sliding or ()) if grips is not None else []
@@ -413,7 +413,7 @@ def _notes(body: Body) -> list[str]:
     scene, notes = body.scene, []
     if is_damageable(scene):
         notes.append("in it no spring breaks or yields any further")
-    if is_steered(scene):
+    if steered_by(scene):
         notes.append("in it, motors that keys turn hold still until its steer is set")
     driven = any(anchor.driven for anchor in scene.anchors)
     hands = [*["the pointer"] * driven, *["the arrow keys"] * (scene.arrow_keys is not None)]

@@ -14,7 +14,7 @@ import numpy as np
 import sim
 from sim.motion.motion import key_rates_of
 from sim.motion.quantities import ENERGY_UNIT, unit_in
-from sim.scene.types import shown_name
+from sim.scene.types import keys_of, shown_name
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
@@ -99,16 +99,13 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 
 
 def _arrows(scene: sim.Scene) -> list[tuple[str, str, str]]:
-    """The arrow keys of the pad: each with its sign and what it does."""
-    steered = {joint.motor.keys for joint in scene.angular_springs if joint.motor}
-    if scene.arrow_keys is None and any(steered):
-        pairs = {"left-right": ("left", "right"), "up-down": ("up", "down")}
-        return [
-            (key, sign, f"{key.capitalize()}: turn the motors")
-            for key, sign, _ in _ARROWS
-            if any(key in pair for keys, pair in pairs.items() if keys in steered)
-        ]
-    return _ARROWS
+    """The arrow keys of the pad, those that do anything: each with its sign and what it does."""
+    known, turns = keys_of(scene), scene.arrow_keys is None
+    return [
+        (key, sign, f"{key.capitalize()}: turn the motors" if turns else does)
+        for key, sign, does in _ARROWS
+        if key in known
+    ]
 
 
 @cache

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from sim.scene.types import shown_name
+from sim.scene.types import keys_of, shown_name
 
 from ...session.framing import Bounds
 from ...stage.sketch import world_size
