@@ -205,7 +205,11 @@ class SelectionPanel:
 
 _ONE_SIDED = "a rope only pulls, and a stop acts on one side of its rest angle"
 _WAY_BOXES: tuple[tuple[str, str, str], ...] = (
-    ("touch", "Masses touch", "balls collide: they bounce off each other and off walls, and where there is contact, off springs"),
+    (
+        "touch",
+        "Masses touch",
+        "balls collide: they bounce off each other and, where there is contact, off springs",
+    ),
     ("move", "Masses move", "a mass on a rail moves along it only, as a cart does"),
     ("springs", "Springs act", _ONE_SIDED),
     ("joints", "Joints act", _ONE_SIDED),
