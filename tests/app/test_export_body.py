@@ -472,7 +472,7 @@ def test_a_file_has_no_line_for_what_its_scene_lacks() -> None:
         "reachable",
         "RAIL",
         "MOTOR",
-        "otors",
+        "atSpeed",
         "steer",
         "BELT",
         "STATIC",
