@@ -325,7 +325,7 @@ def test_a_teacher_chooses_the_lesson_before_the_class_begins_and_not_after(clas
     teacher, pupil, wall = Teacher(classroom), Pupil(classroom), Wall(classroom)
     pupil.frame()
     names = [one.name for one in teacher.shown(Desk).lessons]
-    assert (names[0], names[-1], len(names)) == ("lesson-hooke", "lesson-worm-floor", 14)
+    assert (names[0], names[-1], len(names)) == ("lesson-hooke", "lesson-spectrum", 17)
     teacher.say(class_messages.ChooseLesson("lesson-worm"))
     teacher.frame()
     told = teacher.shown(Desk)

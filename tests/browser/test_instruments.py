@@ -76,8 +76,10 @@ def test_a_ruler_is_dragged_out_measures_two_masses_and_is_thrown_back(open_page
     # It follows them, does not take them from the pointer, and stays where it is in the scene.
     desk.tell(commands.SetValue("rest_angle", 25.0), commands.DoSteps(60))
     desk.until(is_right, "it follows the masses")
-    desk.page.mouse.move(*desk.place(9))
+    x, y = desk.place(9)
+    desk.page.mouse.move(x, y)
     desk.page.mouse.down()
+    desk.page.mouse.move(x + 6.0, y)
     desk.until(lambda: desk.session.hands.masses == (9,), "the mass under its end is taken hold of")
     desk.page.mouse.up()
     desk.until(lambda: not desk.session.hands.masses, "and let go")

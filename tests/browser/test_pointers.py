@@ -64,6 +64,7 @@ def test_every_finger_drags_a_mass_of_its_own_and_a_palm_beside_a_pen_none(open_
     ends = {mass: beside(desk, mass, *way) for mass, way in ways.items()}
     for mass in ends:
         board.put({mass: desk.place(mass)})
+        board.put({mass: beside(desk, mass, 6.0, 0.0)})
     desk.until(lambda: desk.session.hands.masses == (2, 6, 10), "three masses are in hand")
     for mass, end in ends.items():
         board.put({mass: end})
@@ -76,6 +77,7 @@ def test_every_finger_drags_a_mass_of_its_own_and_a_palm_beside_a_pen_none(open_
     assert not desk.simulation.grabbed
     board.point("mouseMoved", desk.place(3), False)
     board.point("mousePressed", desk.place(3), True)
+    board.point("mouseMoved", beside(desk, 3, 6.0, 0.0), True)
     desk.until(lambda: desk.session.hands.masses == (3,), "the pen has a mass")
     before = desk.simulation.positions[8]
     for x in (0.0, 40.0):

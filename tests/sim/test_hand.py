@@ -86,7 +86,7 @@ def test_only_long_stiff_rods_limit_the_speed_of_a_hand() -> None:
         if Simulation(sim.load_scene(entry.name), integrator="auto").rate_limited
     }
     # The lessons' rods are struck or let go; no hand leads them.
-    assert rate_limited == {"study-w4", "lesson-cantilever", "lesson-rod-sound"}
+    assert rate_limited == {"study-w4", "lesson-cantilever", "lesson-rod-sound", "lesson-spectrum"}
     assert not Simulation(sim.rope(250), integrator="auto").rate_limited
     for masses, rate_limited in ((12, False), (30, False), (40, True), (1000, True)):
         assert Simulation(rod(masses)).rate_limited is rate_limited

@@ -216,15 +216,16 @@ def test_balloons_that_were_dropped_come_to_rest(name: str, speed: float) -> Non
 
 def test_what_python_adds_to_recipes_is_documented() -> None:
     text = (Path(sim.__file__).parents[1] / "docs" / "scene-files.md").read_text(encoding="utf-8")
-    row = r"^\| ((?:`sim\.\w+`(?:, )?)+) \| (\[[\d, ]+\]) \| ([\d.]+) \| ([\w ,]*)\|$"
+    air = r"([\d.]+)(?:, by the law `(\w+)`)?"
+    row = rf"^\| ((?:`sim\.\w+`(?:, )?)+) \| (\[[\d, ]+\]) \| {air} \| ([\w ,]*)\|$"
     rows = re.findall(row, text, re.MULTILINE)
     told = {name: row for names, *row in rows for name in re.findall(r"sim\.(\w+)", names)}
     assert len(told) == len(MAKERS)
     for make in MAKERS:
         scene = make()
-        gravity, air, also = told[make.__name__]
+        gravity, air, law, also = told[make.__name__]
         assert json.loads(gravity) == list(scene.gravity)
-        assert float(air) == scene.air_friction
+        assert (float(air), law or "isotropic") == (scene.air_friction, scene.air_law)
         wanted = {"arrow keys": scene.arrow_keys, "wind": scene.wind, "a floor": scene.walls}
         wanted |= {"a beat": scene.beat, "contact": scene.contact, "a medium": scene.medium}
         assert ", ".join(what for what, there in wanted.items() if there) == also.strip()
