@@ -46,7 +46,7 @@ class ViewFeature(Feature):
             "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
         ),
         "palette": Row(
-            "Find anything", "page", ("Ctrl K",), "find anything: commands, controls and scenes", palette=False
+            "Find anything", "page", ("Ctrl K",), "find commands, controls and scenes", palette=False
         ),
         "help": Row("Help", _show_help, needs="help"),
     }  # fmt: skip
