@@ -45,7 +45,8 @@ class Row(NamedTuple):
     steer: float  # index in `State.steer` of the keys that work it, or -1
 
 
-_KINDS = {"sine": SINE, "pulse": PULSE, "steady": STEADY}
+KINDS = {"sine": SINE, "pulse": PULSE, "steady": STEADY}
+"""Kinds by the names of waves."""
 
 
 def steer_of(keys: Keys | msgspec.UnsetType) -> int:
@@ -96,7 +97,7 @@ def _rows(beat: Beat, muscles: Sequence[SpringMuscle | JointMuscle]) -> Rows:
             muscle.amplitude,
             math.tau * muscle.per_beat * beat.frequency,
             math.radians(muscle.per_beat * beat.phase + muscle.phase),
-            _KINDS[muscle.wave],
+            KINDS[muscle.wave],
             float(steer_of(muscle.keys)),
         )
         for muscle in muscles

@@ -31,13 +31,14 @@ from app.export.live.program import javascript_program
 from sim.errors import InputError
 from sim.forces.all import TERMS
 from sim.forces.joints import LAWS, Law
+from sim.scene.parts import Keys, Wave
 from sim.scene.types import AirLaw, Circle, Damage
 from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
 from tests.page.check import NODE
 from tests.sim.changes import with_joints
-from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, around, block_on_a_belt
+from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, STEERED, around, block_on_a_belt
 
 EULER = sim.Integrator(method="symplectic_euler")
 STEPS = 400
@@ -360,21 +361,47 @@ def test_a_module_for_games_has_contact_and_gusts_and_a_step_that_is_stable(
     assert printed(words) == pytest.approx(simulation.positions, abs=1e-6, rel=0.0)
 
 
-def test_motors_are_steered_in_programs_as_keys_steer_them(tmp_path: Path) -> None:
-    keys = ("left-right", "up-down")
-    scene = with_joints(
-        around(MOTORISED), motor=lambda i, joint: joint.motor and changed(joint.motor, keys=keys[i % 2])
-    )
-    simulation = sim.Simulation(apply_assignments(scene, ["method=symplectic_euler", *CALM]))
-    body = body_of(simulation.scene)
+PAIRS: tuple[Keys, Keys] = ("left-right", "up-down")
+WAVES: tuple[Wave, ...] = ("sine", "pulse", "steady")
+WORKED = {
+    "motors": with_joints(
+        around(MOTORISED), motor=lambda i, joint: joint.motor and changed(joint.motor, keys=PAIRS[i % 2])
+    ),
+    "motors and forces": around(STEERED),
+    "muscles": changed(
+        MUSCULAR,
+        arrow_keys=None,
+        linear_springs=tuple(
+            changed(s, muscle=changed(s.muscle, keys=PAIRS[i // 2 % 2], wave=WAVES[i % 3])) if s.muscle else s
+            for i, s in enumerate(MUSCULAR.linear_springs)
+        ),
+        angular_springs=tuple(
+            changed(j, muscle=changed(j.muscle, keys=PAIRS[i // 2 % 2])) if j.muscle and i % 2 else j
+            for i, j in enumerate(MUSCULAR.angular_springs)
+        ),
+    ),
+    "hopper": sim.load_scene("hopper"),
+}
+
+
+@pytest.mark.parametrize("worked", WORKED)
+def test_keys_work_in_programs_what_they_work_in_the_solver(worked: str, tmp_path: Path) -> None:
+    calm = () if worked in ("muscles", "hopper") else CALM
+    simulation = sim.Simulation(apply_assignments(WORKED[worked], ["method=symplectic_euler", *calm]))
+    held = worked == "muscles"  # they are held before, so efforts are where the program begins
+    if held:
+        simulation.keys = ("left", "down")
+        simulation.step(20)
+    body = Body.of(simulation.capture())
+    assert any(body.efforts) == held
     simulation.keys = ("right", "down")
     simulation.step(STEPS)
     (tmp_path / "body.py").write_bytes(python_program(body)[0])
     program = runpy.run_path(str(tmp_path / "body.py"))
     program["STEER"][:] = 1.0, -1.0
     x, v = body.positions.copy(), body.velocities.copy()
-    for _ in range(STEPS):
-        program["step"](x, v, 0.0)
+    for i in range(STEPS):
+        program["step"](x, v, body.moment.time + i * program["DT"])
     in_c(body, tmp_path)
     (tmp_path / "main.c").write_text(
         f'#include "body.h"\n#include <stdio.h>\nint main(void) {{\n    static body b;\n    body_reset(&b);\n'
@@ -387,7 +414,7 @@ def test_motors_are_steered_in_programs_as_keys_steer_them(tmp_path: Path) -> No
     steered = by_javascript(tmp_path / "body.mjs", f"body.steer(1, -1); body.step({STEPS});")
     for places in (x, printed([str(built)]), printed(steered)):
         assert places == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
-    assert "hold still until its steer is set" in " ".join(c_program(body)[2])
+    assert "what keys work holds still until its steer is set" in " ".join(c_program(body)[2])
 
 
 GAME = Path(__file__).with_name("game.c")

@@ -332,6 +332,29 @@ def test_held_keys_steer_motors_as_in_the_solver() -> None:
     assert ways[0] > ways[1] + 5.0
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_held_keys_work_muscles_and_forces_as_in_the_solver(method: str) -> None:
+    scene = by(sim.load_scene("hopper"), method)
+    data = live_html(sim.Simulation(scene).capture())[0].decode()
+    says = dict(re.findall('data-softrod-key="(.*?)" aria-label="(.*?)"', data))
+    assert says["up"] == "Up: work the muscles"
+    assert says["right"] == "Right: push masses"
+    about = about_of(data.encode())
+    assert about["dt"] == scene.integrator.dt
+    told = {"data": about["body"], "method": METHODS[method], "h": about["dt"], "count": 60}
+    for keys, ways in ((("up", "right"), [1, 1]), (("down", "left"), [-1, -1])):
+        simulation = sim.Simulation(scene)
+        simulation.keys = keys
+        simulation.step(60)
+        (script,) = run_script([told | {"presses": {"factor": 1, "angle": 0, "steered": ways}}])
+        assert np.abs(script["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+        # From there on, with nobody at the keys.
+        (rest,) = run_script([told | {"data": body_data(simulation.capture())}])
+        simulation.keys = ()
+        simulation.step(60)
+        assert np.abs(rest["positions"].reshape(-1, 2) - simulation.positions).max() < CLOSE
+
+
 def test_what_is_measured_has_the_names_and_values_of_the_solver() -> None:
     for name in ("tutorial-3.3", "girder", "lesson-laws"):
         scene = by(sim.load_scene(name), "symplectic_euler")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 import sim
 from sim import AngularSpring, LinearSpring
 from sim.errors import InputError
+from sim.forces.muscles import efforts, steer_of
 from sim.forces.one_sided import SIDES
 from sim.forces.plasticity import leaking
 from sim.forces.rails import ways_of
@@ -56,6 +57,8 @@ class Body:
         radius: (n,) px.
         size: (n,) px, the radius of each solid mass, 0 of all others.
         loads: the constant forces on masses, kg px/s², by mass.
+        pushes: the forces that keys work: mass, x and y in kg px/s², and the index in `State.steer`.
+        efforts: (2,) of the keys, which nobody holds from now on.
         held: (n,) whether a mass is held.
         circles: the circles on which held masses go, and where each is at time zero, px, by mass.
         rails: the unit vectors of the rails on which masses are, by mass.
@@ -82,6 +85,8 @@ class Body:
     radius: Floats
     size: Floats
     loads: dict[int, tuple[float, float]]
+    pushes: list[tuple[int, float, float, int]]
+    efforts: tuple[float, ...]
     held: NDArray[np.bool_]
     circles: dict[int, tuple[Circle, tuple[float, float]]]
     rails: dict[int, tuple[float, float]]
@@ -151,6 +156,14 @@ class Body:
             radius=np.array([m.radius for m in scene.masses], float),
             size=np.array([m.radius if m.solid else 0.0 for m in scene.masses], float),
             loads={i: force for i, force in enumerate(map(constant_force, scene.masses)) if force},
+            pushes=[
+                (i, *map(float, mass.force), steer_of(mass.keys))
+                for i, mass in enumerate(scene.masses)
+                if mass.keys and mass.force
+            ],
+            efforts=tuple(efforts(np.array(moment.steer), moment.time).tolist())
+            if moment.steer
+            else (0.0, 0.0),
             held=held,
             circles=circles,
             rails=rails,

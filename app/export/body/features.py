@@ -8,7 +8,16 @@ from collections.abc import Callable
 from sim.forces.motors import has_motors
 from sim.forces.rails import has_rails
 from sim.scene.columns import is_set_in_any
-from sim.scene.types import Scene, steered_by
+from sim.scene.types import Scene, is_muscular, is_pushed, steered_by
+
+
+def _has_efforts(scene: Scene) -> bool:
+    """Whether keys work muscles or forces, which move or are shown by the efforts of these."""
+    parts = (*scene.linear_springs, *scene.angular_springs)
+    return is_pushed(scene) or (
+        is_muscular(scene) and any(part.muscle and part.muscle.keys for part in parts)
+    )
+
 
 _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_RAILS": has_rails,
@@ -17,6 +26,8 @@ _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_STATIC": lambda scene: any(wall.static_friction for wall in scene.walls),
     "HAS_MOTORS": has_motors,
     "HAS_STEERING": lambda scene: bool(steered_by(scene)),
+    "HAS_PUSHES": is_pushed,
+    "HAS_EFFORTS": _has_efforts,
 }
 
 

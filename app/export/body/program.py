@@ -17,7 +17,7 @@ import numpy as np
 import sim
 from sim.errors import InputError
 from sim.forces.all import TERMS
-from sim.forces.muscles import steer_of
+from sim.forces.muscles import KINDS, steer_of
 from sim.forces.touch.walls import WallRow
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import ForceLaw, Method, Scene, is_damageable, shown_name, steered_by
@@ -53,7 +53,7 @@ LAWS_IN_PROGRAMS: tuple[ForceLaw, ...] = ("tutorial", "conservative", "angle")
 TERMS_IN_PROGRAMS = frozenset(
     (
         *("linear", "angular", "one-sided", "air friction", "resistance", "walls", "fillings", "contact"),
-        *("rails", "motors"),
+        *("rails", "motors", "pushes"),
     )
 )
 """The names of the forces that they know, or refuse by themselves."""
@@ -184,17 +184,18 @@ class Plan:
                 (wall.static_friction or 0.0,) if has["HAS_STATIC"] else () for wall in body.scene.walls
             ],
             "MOTORS": self._motors(),
+            "PUSHES": body.pushes,
             "RAILS": [(mass, *way) for mass, way in body.rails.items()],
             "CIRCLES": [
                 (mass, *place, circle.radius, circle.frequency, circle.ramp)
                 for mass, (circle, place) in body.circles.items()
             ],
             "STRETCHED": [
-                self._muscle(s, muscle, float(body.rest_length[s]), float(own[s]))
+                self._muscle(s, muscle, float(body.rest_length[s]), float(own[s]), has["HAS_EFFORTS"])
                 for s, muscle in body.spring_muscles.items()
             ],
             "BENT": [
-                self._muscle(j, muscle, float(rest[j]), math.radians(1.0))
+                self._muscle(j, muscle, float(rest[j]), math.radians(1.0), has["HAS_EFFORTS"])
                 for j, muscle in body.joint_muscles.items()
             ],
         }
@@ -235,13 +236,14 @@ class Plan:
         return list(zip(whole.tolist(), *weight[body.ends[whole]].T.tolist(), strict=True))
 
     def _muscle(
-        self, part: int, muscle: SpringMuscle | JointMuscle, rest: float, unit: float
+        self, part: int, muscle: SpringMuscle | JointMuscle, rest: float, unit: float, keyed: bool
     ) -> tuple[float | int, ...]:
-        """A row of a table of muscles: `part` rests at `rest`, and `unit` is that of the amplitude."""
+        """A row of a table of muscles: `part` rests at `rest`, `unit` is that of the amplitude, and those
+        that are `keyed` have their keys."""
         beat = self.body.beat or sim.Beat()
         rate, phase = muscle.per_beat * beat.frequency, muscle.per_beat * beat.phase + muscle.phase
-        pulse = int(muscle.wave == "pulse")
-        return part, rest, muscle.amplitude * unit, math.tau * rate, math.radians(phase), pulse
+        kind, keys = int(KINDS[muscle.wave]), [steer_of(muscle.keys)] if keyed else []
+        return part, rest, muscle.amplitude * unit, math.tau * rate, math.radians(phase), kind, *keys
 
     def numbers(self) -> dict[str, str]:
         """The program's single numbers, by the names of their places in the templates."""
@@ -254,6 +256,8 @@ class Plan:
             "GRAVITY_Y": float(scene.gravity[1]),
             "WIND_X": body.wind[0],
             "WIND_Y": body.wind[1],
+            "EFFORT_X": body.efforts[0],
+            "EFFORT_Y": body.efforts[1],
         }
         if scene.medium:
             given |= {"ACROSS": scene.medium.across, "ALONG": scene.medium.along}
@@ -380,11 +384,7 @@ def check_forces(scene: Scene, what: str = "a program") -> None:
 def unknown_forces(scene: Scene) -> list[str]:
     """Names of the forces on a scene's body that are not known outside softrod."""
     acting = (term for term in TERMS if term.acts(scene))
-    names = [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
-    muscles = [part.muscle for part in (*scene.linear_springs, *scene.angular_springs) if part.muscle]
-    if scene.beat and any(muscle.keys for muscle in muscles):
-        names.append("muscles that keys work")
-    return names
+    return [term.label or term.name for term in acting if term.name not in TERMS_IN_PROGRAMS]
 
 
 def time_step(body: Body) -> tuple[float, list[str]]:
@@ -414,7 +414,7 @@ def _notes(body: Body) -> list[str]:
     if is_damageable(scene):
         notes.append("in it no spring breaks or yields any further")
     if steered_by(scene):
-        notes.append("in it, motors that keys turn hold still until its steer is set")
+        notes.append("in it, what keys work holds still until its steer is set")
     driven = any(anchor.driven for anchor in scene.anchors)
     hands = [*["the pointer"] * driven, *["the arrow keys"] * (scene.arrow_keys is not None)]
     if hands:

@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 
 import sim
-from sim.forces.muscles import steer_of
+from sim.forces.muscles import KINDS, steer_of
 from sim.model.system import System, build_system
 from sim.scene.parts import JointMuscle, SpringMuscle
 from sim.scene.types import Damage, Grips, is_damageable
@@ -84,7 +84,7 @@ def body_data(moment: sim.Moment, has: Mapping[str, bool] | None = None) -> dict
         "limits": _limits(scene) if is_damageable(scene) else None,
         "yielded": _yielded(moment.damage),
         "grips": _grips(moment.grips, has),
-        "muscles": _muscles(body),
+        "muscles": _muscles(body, has),
         **_features(body, has),
     }
 
@@ -101,6 +101,10 @@ def _features(body: Body, has: Mapping[str, bool]) -> dict[str, Any]:
             [joint, math.radians(motor.speed), motor.torque, math.radians(motor.slip), steer_of(motor.keys)]
             for joint, motor in body.motors.items()
         ]
+    if has["HAS_PUSHES"]:
+        data["pushes"] = [list(push) for push in body.pushes]
+    if has["HAS_EFFORTS"]:
+        data["efforts"] = list(body.efforts)
     return data
 
 
@@ -178,19 +182,25 @@ def _limits(scene: sim.Scene) -> dict[str, list[float]]:
     }
 
 
-def _muscles(body: Body) -> dict[str, Any] | None:
+def _muscles(body: Body, has: Mapping[str, bool]) -> dict[str, Any] | None:
     if body.beat is None:
         return None
     return {
         "frequency": body.beat.frequency,
         "phase": body.beat.phase,
-        "springs": _rows(body.spring_muscles),
-        "joints": _rows(body.joint_muscles),
+        "springs": _rows(body.spring_muscles, has),
+        "joints": _rows(body.joint_muscles, has),
     }
 
 
-def _rows(muscles: Mapping[int, SpringMuscle | JointMuscle]) -> list[list[float]]:
-    return [[part, m.amplitude, m.per_beat, m.phase, int(m.wave == "pulse")] for part, m in muscles.items()]
+def _rows(muscles: Mapping[int, SpringMuscle | JointMuscle], has: Mapping[str, bool]) -> list[list[float]]:
+    return [
+        [
+            *(part, muscle.amplitude, muscle.per_beat, muscle.phase, int(KINDS[muscle.wave])),
+            *([steer_of(muscle.keys)] if has["HAS_EFFORTS"] else ()),
+        ]
+        for part, muscle in muscles.items()
+    ]
 
 
 def _yielded(damage: Damage | None) -> dict[str, list[float]] | None:

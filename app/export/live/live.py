@@ -100,12 +100,27 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 
 def _arrows(scene: sim.Scene) -> list[tuple[str, str, str]]:
     """The arrow keys of the pad, those that do anything: each with its sign and what it does."""
-    known, turns = keys_of(scene), scene.arrow_keys is None
+    known, works = keys_of(scene), scene.arrow_keys is None
     return [
-        (key, sign, f"{key.capitalize()}: turn the motors" if turns else does)
+        (key, sign, f"{key.capitalize()}: {_worked_by(scene, key)}" if works else does)
         for key, sign, does in _ARROWS
         if key in known
     ]
+
+
+def _worked_by(scene: sim.Scene, key: str) -> str:
+    """What an arrow key does to what keys work."""
+    springs, joints = scene.linear_springs, scene.angular_springs
+    worked = {
+        "turn the motors": [joint.motor for joint in joints],
+        "work the muscles": [part.muscle for part in (*springs, *joints) if scene.beat],
+        "push masses": scene.masses,
+    }
+    return " and ".join(
+        does
+        for does, parts in worked.items()
+        if any(part and part.keys and key in part.keys.split("-") for part in parts)
+    )
 
 
 @cache

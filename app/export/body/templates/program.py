@@ -22,10 +22,12 @@ GIVEN_STATIC = [(0.0,)]
 GIVEN_GRIPPED = [(0, 0, 0.0)]
 GIVEN_SLIDING = [(0, 0)]
 GIVEN_MOTORS = [(0, 1.0, 1.0, 1.0, -1)]
+GIVEN_PUSHES = [(0, 1.0, 0.0, 0)]
+GIVEN_EFFORT_X, GIVEN_EFFORT_Y = 0.0, 0.0
 GIVEN_RAILS = [(0, 1.0, 0.0)]
 GIVEN_CIRCLES = [(0, 0.0, 0.0, 1.0, 1.0, 1.0)]
-GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0)]
-GIVEN_BENT = [(0, 0.0, 0.1, 1.0, 0.0, 0)]
+GIVEN_STRETCHED = [(0, 1.0, 0.1, 1.0, 0.0, 0, -1)]
+GIVEN_BENT = [(0, 0.0, 0.1, 1.0, 0.0, 0, -1)]
 # endif
 DT = GIVEN_DT  # time step, s
 # ifdef HAS_GRAVITY
@@ -96,8 +98,18 @@ MOTOR = MOTORS[:, 0].astype(int)
 SPEED, MOST, MARGIN = MOTORS[:, 1:4].T
 # ifdef HAS_STEERING
 STEERED = MOTORS[:, 4].astype(int)
-STEER = np.zeros(2)  # to the right, and up: each from -1 to 1
 # endif
+
+# endif
+# ifdef HAS_STEERING
+STEER = np.zeros(2)  # to the right, and up: each from -1 to 1
+
+# endif
+# ifdef HAS_PUSHES
+# A row for each force that keys work: the mass that it acts on, its x and y (kg px/s^2), and which number in
+# STEER works it.
+PUSHES = np.array(GIVEN_PUSHES)
+PUSHED, PUSHED_BY = PUSHES[:, 0].astype(int), PUSHES[:, 3].astype(int)
 
 # endif
 # ifdef HAS_LOADS
@@ -176,6 +188,12 @@ CIRCLES = GIVEN_CIRCLES
 # A row for each muscle: the spring whose rest length it moves (px), or the joint whose rest angle it moves
 # (radians), where that rests, the amplitude, the rate of the phase (1/s), the phase at time 0, and 1 for a
 # pulse or 0 for a sine.
+# ifdef HAS_EFFORTS
+# Or 2 for one that is steady. At the end, which number in STEER works it, or -1.
+EFFORT = np.array(
+    [GIVEN_EFFORT_X, GIVEN_EFFORT_Y]
+)  # of the keys: they follow STEER with a time constant of 0.05 s
+# endif
 # ifdef HAS_STRETCHED
 STRETCHED = np.array(GIVEN_STRETCHED)
 # endif
@@ -287,6 +305,9 @@ def accelerations(x, v):
     force = np.zeros_like(x)
     # ifdef HAS_LOADS
     force[LOADS[:, 0].astype(int)] = LOADS[:, 1:]
+    # endif
+    # ifdef HAS_PUSHES
+    force[PUSHED] += STEER[PUSHED_BY, None] * PUSHES[:, 1:3]
     # endif
     # ifdef HAS_SPRINGS
     spring = x[B] - x[A]
@@ -452,13 +473,24 @@ def lead(x, v, t):
 # ifdef HAS_MUSCLES
 def moved(muscles, t):
     """Rest lengths or rest angles that muscles move, at time t."""
+    # ifdef HAS_EFFORTS
+    rest, amplitude, rate, phase, pulse, keys = muscles.T[1:]
+    effort = np.where(keys < 0, 1.0, EFFORT[keys.astype(int)])
+    wave = np.sin(np.copysign(rate, effort) * t + phase)
+    wave = np.abs(effort) * np.where(pulse == 1, np.exp(4.0 * (wave - 1.0)), wave)
+    return rest + amplitude * np.where(pulse == 2, effort, wave)
+    # else
     rest, amplitude, rate, phase, pulse = muscles.T[1:]
     wave = np.sin(rate * t + phase)
     return rest + amplitude * np.where(pulse == 1, np.exp(4.0 * (wave - 1.0)), wave)
+    # endif
 
 
 def flex(t):
     """Let all muscles move to where they are at time t."""
+    # ifdef HAS_EFFORTS
+    EFFORT[:] = STEER + (EFFORT - STEER) * np.exp(-DT / 0.05)
+    # endif
     # ifdef HAS_STRETCHED
     REST[STRETCHED[:, 0].astype(int)] = moved(STRETCHED, t)
     # endif

@@ -29,6 +29,9 @@
 #define GIVEN_SIZES { { 0.0 } }
 #define GIVEN_SLIDING { { 0 } }
 #define GIVEN_MOTORS { { 0 } }
+#define GIVEN_PUSHES { { 0 } }
+#define GIVEN_EFFORT_X 0.0
+#define GIVEN_EFFORT_Y 0.0
 #define GIVEN_RAILS { { 0 } }
 #define GIVEN_CIRCLES { { 0 } }
 #define GIVEN_STRETCHED { { 0 } }
@@ -86,6 +89,15 @@ static const struct {
 enum { MOTORS = sizeof motor / sizeof *motor };
 
 # endif
+# ifdef HAS_PUSHES
+static const struct {
+    int mass;       // on which a force acts that keys work
+    double fx, fy;  // kg px/s^2
+    int steer;      // the index in `body->steer` of what works it
+} pushed[] = GIVEN_PUSHES;
+enum { PUSHES = sizeof pushed / sizeof *pushed };
+
+# endif
 # ifdef HAS_RAILS
 static const struct {
     int mass;     // that moves only along a rail
@@ -126,6 +138,10 @@ typedef struct {
     double rate;       // of the phase, 1/s
     double phase;      // at time 0
     int pulse;         // or a sine
+# ifdef HAS_EFFORTS
+                       // or, if it is 2, it is steady
+    int steer;         // the index in `body->steer` of what works it, or -1
+# endif
 } Muscle;
 # ifdef HAS_STRETCHED
 static const Muscle stretched[] = GIVEN_STRETCHED;
@@ -289,6 +305,12 @@ static void accelerate(softbody *body) {
     for (int i = 0; i < SOFTBODY_MASSES; i++) {
         body->mass[i].ax = body->mass[i].fx, body->mass[i].ay = body->mass[i].fy;
     }
+# ifdef HAS_PUSHES
+    for (int i = 0; i < PUSHES; i++) {
+        double way = body->steer[pushed[i].steer];
+        body->mass[pushed[i].mass].ax += way * pushed[i].fx, body->mass[pushed[i].mass].ay += way * pushed[i].fy;
+    }
+# endif
 # ifdef HAS_SPRINGS
     for (int i = 0; i < SOFTBODY_SPRINGS; i++) {
         int a = body->spring[i].a, b = body->spring[i].b;
@@ -494,14 +516,37 @@ static double moved(Muscle muscle, double t) {
     return muscle.rest + muscle.amplitude * (muscle.pulse ? exp(4.0 * (wave - 1.0)) : wave);
 }
 
+# ifdef HAS_EFFORTS
+// A muscle as keys make it now: as large as their effort, backwards where that is below 0.
+static Muscle worked(const softbody *body, Muscle muscle) {
+    if (muscle.steer < 0) return muscle;
+    double effort = body->effort[muscle.steer];
+    if (muscle.pulse == 2) muscle.rest += muscle.amplitude * effort;
+    muscle.rate = copysign(muscle.rate, effort);
+    muscle.amplitude *= muscle.pulse == 2 ? 0.0 : fabs(effort);
+    return muscle;
+}
+
+# endif
 // Lets all muscles move to where they are at time t.
 static void flex(softbody *body, double t) {
+# ifdef HAS_EFFORTS
+    for (int k = 0; k < 2; k++) body->effort[k] = body->steer[k] + (body->effort[k] - body->steer[k]) * exp(-SOFTBODY_DT / 0.05);
+# endif
 # ifdef HAS_STRETCHED
+# ifdef HAS_EFFORTS
+    for (int i = 0; i < STRETCHED; i++) body->spring[stretched[i].part].rest = moved(worked(body, stretched[i]), t);
+# else
     for (int i = 0; i < STRETCHED; i++) body->spring[stretched[i].part].rest = moved(stretched[i], t);
+# endif
 # endif
 # ifdef HAS_BENT
     for (int i = 0; i < BENT; i++) {
+# ifdef HAS_EFFORTS
+        double angle = moved(worked(body, bent[i]), t);
+# else
         double angle = moved(bent[i], t);
+# endif
 # ifdef HAS_ANGLE_LAW
         body->joint[bent[i].part].rest = remainder(angle, 6.283185307179586);
 # else
@@ -520,6 +565,11 @@ void softbody_reset(softbody *body) {
 # endif
 # ifdef HAS_AIR
     body->air = GIVEN_AIR;
+# endif
+# ifdef HAS_MUSCLES
+# ifdef HAS_EFFORTS
+    body->effort[0] = GIVEN_EFFORT_X, body->effort[1] = GIVEN_EFFORT_Y;
+# endif
 # endif
 # ifdef HAS_WIND
     body->wind_x = GIVEN_WIND_X, body->wind_y = GIVEN_WIND_Y;

@@ -8,6 +8,9 @@
  */
 import { addContact, gripSprings, stickToSprings } from "./contact.js";
 import { wave } from "./muscles.js";
+// ifdef HAS_EFFORTS
+import { exert, workedWave } from "./muscles.js";
+// endif
 import { clamp, pushAndFriction, softened } from "./push.js";
 
 /**
@@ -54,6 +57,10 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  *   of the joint should grow, 1/s; the largest torque, kg px²/s²; how far the rate is off where three quarters of it act, 1/s;
  *   the index in `steered` of what steers it, or -1
  * // endif
+ * // ifdef HAS_PUSHES
+ * @typedef {[mass: number, x: number, y: number, steer: number]} Push a force that keys work, kg px/s², and the index in
+ *   `steered` of what works it
+ * // endif
  * // ifdef HAS_RAILS
  * @typedef {[mass: number, x: number, y: number]} Rail a mass on a rail, and the unit vector of that
  * // endif
@@ -98,6 +105,12 @@ import { clamp, pushAndFriction, softened } from "./push.js";
  * @property {Muscles | null} muscles
  * // ifdef HAS_MOTORS
  * @property {Motor[]} [motors]
+ * // endif
+ * // ifdef HAS_PUSHES
+ * @property {Push[]} [pushes]
+ * // endif
+ * // ifdef HAS_EFFORTS
+ * @property {number[]} [efforts] of keys, from -1 to 1
  * // endif
  * // ifdef HAS_SOLID
  * @property {number[]} [sizes] the radius of each solid mass, px, 0 of all others
@@ -188,8 +201,15 @@ export class Body {
     this.atSpeed = false;
     // endif
     // ifdef HAS_STEERING
-    /** What steers motors, each from -1 to 1: to the right, and up. */
+    /** What keys do, each from -1 to 1: to the right, and up. */
     this.steered = [0, 0];
+    // endif
+    // ifdef HAS_PUSHES
+    this.pushes = data.pushes ?? [];
+    // endif
+    // ifdef HAS_EFFORTS
+    /** The efforts with which keys work muscles: they follow `steered` a little later. */
+    this.efforts = Float64Array.from(data.efforts ?? [0, 0]);
     // endif
     // ifdef HAS_RAILS
     this.rails = data.rails ?? [];
@@ -264,6 +284,9 @@ export class Body {
 
   /** Go to a time, s: gusts and muscles are then what they are at it. @param {number} time */
   at(time) {
+    // ifdef HAS_EFFORTS
+    exert(this.efforts, this.steered, time - this.time);
+    // endif
     this.time = time;
     this.flex();
   }
@@ -274,10 +297,16 @@ export class Body {
     if (!muscles) return;
     for (let i = 0; i < muscles.springs.length; i++) {
       stretched[muscles.springs[i][0]] = 1 + wave(muscles, muscles.springs[i], this.time);
+      // ifdef HAS_EFFORTS
+      stretched[muscles.springs[i][0]] = 1 + workedWave(muscles, muscles.springs[i], this.time, this.efforts);
+      // endif
     }
     for (let i = 0; i < muscles.joints.length; i++) {
       const j = muscles.joints[i][0];
       bent[j] = wave(muscles, muscles.joints[i], this.time);
+      // ifdef HAS_EFFORTS
+      bent[j] = workedWave(muscles, muscles.joints[i], this.time, this.efforts);
+      // endif
       this.turnRest(j, 0);
     }
   }
@@ -309,6 +338,12 @@ export class Body {
       a[2 * load.mass] += load.x;
       a[2 * load.mass + 1] += load.y;
     }
+    // ifdef HAS_PUSHES
+    for (const [m, x, y, keys] of this.pushes) {
+      a[2 * m] += x * this.steered[keys];
+      a[2 * m + 1] += y * this.steered[keys];
+    }
+    // endif
     this.#addSprings();
     if (this.medium || this.ground) this.#addResistance();
     this.#addFillings();

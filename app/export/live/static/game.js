@@ -236,7 +236,7 @@ export class SoftBody extends Body {
   }
 
   // ifdef HAS_STEERING
-  /** Steer motors, until they are steered otherwise: each from -1 to 1. @param {number} right @param {number} up */
+  /** Do what held keys do, until told otherwise: each from -1 to 1. @param {number} right @param {number} up */
   steer(right, up = 0) {
     finite("steer", right, up);
     this.steered = [right, up];

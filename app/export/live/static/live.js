@@ -204,6 +204,9 @@ export class Live {
     const frame = {
       generation: 0, time: body.time, lengthScale: body.scale, angleShift: body.shift,
       positions: Float32Array.from(body.positions), ghost: predicted ? Float32Array.from(predicted.flat()) : null,
+      // ifdef HAS_EFFORTS
+      efforts: Float32Array.from(body.efforts),
+      // endif
     };
     paint(this.shown, this.canvas, { plan, frame, damage: damageOf(body) });
     this.hands.mark();

@@ -12,7 +12,10 @@ const MAX_MOMENTS = 8;
 /** Stretch of a spring, in rest lengths, from which on a body counts as running away. */
 const TORN = 4;
 /** Arrays that change while a body moves. */
-const ARRAYS = /** @type {const} */ (["positions", "velocities", "broken", "setLength", "setAngle", "hardened"]);
+const ARRAYS = /** @type {("positions" | "velocities" | "broken" | "setLength" | "setAngle" | "hardened" | "efforts")[]} */ (["positions", "velocities", "broken", "setLength", "setAngle", "hardened"]);
+// ifdef HAS_EFFORTS
+ARRAYS.push("efforts");
+// endif
 
 /** @param {Body} body */
 function momentOf(body) {

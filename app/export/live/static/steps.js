@@ -7,7 +7,7 @@
  * @typedef {{factor: number, angle: number}} Presses what held keys do in a second: a factor of all rest lengths, and degrees
  *   that all rest angles grow by
  * // ifdef HAS_STEERING
- * @typedef {Presses & {steered?: number[]}} Steering and how they steer motors, to the right and up
+ * @typedef {Presses & {steered?: number[]}} Steering and what keys do, to the right and up
  * // endif
  */
 import { TURN } from "./body.js";
