@@ -63,7 +63,7 @@ def test_all_presets_are_there_in_the_order_of_the_page_and_every_link_leads_som
     check_links(presets)
     found = {path.stem: sim.load_scene(path.stem) for path in files.built_in_files()}
     names = [name for name, scene in found.items() if name != "empty" and not unknown_forces(scene)]
-    assert {"cradle", "bungee", "cart", "kapitza", "crane", "buggy", "stick-slip"} <= set(names)
+    assert {"cradle", "bungee", "cart", "kapitza", "crane", "buggy", "hopper", "stick-slip"} <= set(names)
     index = read(presets / "index.html")
     cards = [id.removeprefix("at=") for id in index.ids if re.fullmatch(r"at=.*(?<!-title)(?<!-line)", id)]
     assert sorted(cards) == sorted(names)

@@ -157,7 +157,7 @@ class Body:
             size=np.array([m.radius if m.solid else 0.0 for m in scene.masses], float),
             loads={i: force for i, force in enumerate(map(constant_force, scene.masses)) if force},
             pushes=[
-                (i, *map(float, mass.force), steer_of(mass.keys))
+                (i, float(mass.force[0]), float(mass.force[1]), steer_of(mass.keys))
                 for i, mass in enumerate(scene.masses)
                 if mass.keys and mass.force
             ],

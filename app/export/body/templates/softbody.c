@@ -139,7 +139,7 @@ typedef struct {
     double phase;      // at time 0
     int pulse;         // or a sine
 # ifdef HAS_EFFORTS
-                       // or, if it is 2, it is steady
+                       // or, if 2, it is steady: it has no wave
     int steer;         // the index in `body->steer` of what works it, or -1
 # endif
 } Muscle;
