@@ -69,17 +69,42 @@ def test_a_mass_is_dragged_and_the_body_follows(open_file: Open) -> None:
 def test_a_buggy_is_driven(by: str, open_file: Open) -> None:
     page = open_file("buggy")
     x = number(page, "positions[0]")
-    if by == "key":
-        page.keyboard.down("ArrowRight")
-    else:
-        box = page.locator("[data-softrod-key=right]").bounding_box()
-        assert box is not None
-        page.mouse.move(box["x"] + 5.0, box["y"] + 5.0)
-        page.mouse.down()
+    hold(page, "right", by)
     until(page, lambda: number(page, "positions[0]") > x + 30.0, "it drives to the right")
-    page.keyboard.up("ArrowRight")
-    page.mouse.up()
+    let_go(page, "right")
     until(page, lambda: number(page, "steered[0]") == 0.0, "it is let go")
+
+
+@pytest.mark.parametrize("by", ["key", "button"])
+def test_a_hopper_stretches_and_is_pushed(by: str, open_file: Open) -> None:
+    page = open_file("hopper")
+    x, y, long = (number(page, name) for name in ("positions[0]", "positions[7]", "stretched[1]"))
+    assert long == 1.0
+    hold(page, "up", by)
+    until(page, lambda: number(page, "positions[7]") < y - 20.0, "its top rises")
+    until(page, lambda: 1.49 < number(page, "stretched[1]") <= 1.5, "its legs are as long as they can be")
+    let_go(page, "up")
+    until(page, lambda: number(page, "stretched[1]") < 1.01, "its legs are as they were")
+    hold(page, "right", by)
+    until(page, lambda: number(page, "positions[0]") > x + 30.0, "it is pushed to the right")
+    let_go(page, "right")
+
+
+def hold(page: Page, key: str, by: str) -> None:
+    """Hold an arrow key, or its button."""
+    if by == "key":
+        page.keyboard.down(f"Arrow{key.capitalize()}")
+        return
+    box = page.locator(f"[data-softrod-key={key}]").bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 5.0, box["y"] + 5.0)
+    page.mouse.down()
+
+
+def let_go(page: Page, key: str) -> None:
+    """Hold it no longer."""
+    page.keyboard.up(f"Arrow{key.capitalize()}")
+    page.mouse.up()
 
 
 def test_sliders_keys_and_buttons_do_what_they_say(open_file: Open) -> None:
