@@ -12,11 +12,9 @@ from sim.scene.types import Scene, is_muscular, is_pushed, steered_by
 
 
 def _has_efforts(scene: Scene) -> bool:
-    """Whether keys work muscles or forces, which move or are shown by the efforts of these."""
+    """Whether keys work muscles."""
     parts = (*scene.linear_springs, *scene.angular_springs)
-    return is_pushed(scene) or (
-        is_muscular(scene) and any(part.muscle and part.muscle.keys for part in parts)
-    )
+    return is_muscular(scene) and any(part.muscle and part.muscle.keys for part in parts)
 
 
 _FEATURES: dict[str, Callable[[Scene], bool]] = {

@@ -566,10 +566,8 @@ void softbody_reset(softbody *body) {
 # ifdef HAS_AIR
     body->air = GIVEN_AIR;
 # endif
-# ifdef HAS_MUSCLES
 # ifdef HAS_EFFORTS
     body->effort[0] = GIVEN_EFFORT_X, body->effort[1] = GIVEN_EFFORT_Y;
-# endif
 # endif
 # ifdef HAS_WIND
     body->wind_x = GIVEN_WIND_X, body->wind_y = GIVEN_WIND_Y;

@@ -134,10 +134,8 @@ struct softbody {
 # ifdef HAS_STEERING
     double steer[2];  // what keys do, each from -1 to 1: to the right, and up
 # endif
-# ifdef HAS_MUSCLES
 # ifdef HAS_EFFORTS
     double effort[2];  // with which keys work muscles: they follow `steer` with a time constant of 0.05 s
-# endif
 # endif
     softbody_mass mass[SOFTBODY_MASSES];
 # ifdef HAS_SPRINGS

@@ -9,7 +9,7 @@
  *   degrees at time zero
  * // ifdef HAS_EFFORTS
  * @typedef {[part: number, amplitude: number, perBeat: number, phase: number, kind: number, keys: number]} KeyedMuscle such a
- *   row of a body with muscles or forces that keys work: the kind is 0 for a sine, 1 for a pulse, 2 for a steady muscle; of keys
+ *   row of a body with muscles that keys work: the kind is 0 for a sine, 1 for a pulse, 2 for a steady muscle; of keys
  *   the index in `steered`, or -1
  * // endif
  */
