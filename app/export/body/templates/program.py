@@ -190,9 +190,8 @@ CIRCLES = GIVEN_CIRCLES
 # pulse or 0 for a sine.
 # ifdef HAS_EFFORTS
 # Or 2 for one that is steady. At the end, which number in STEER works it, or -1.
-EFFORT = np.array(
-    [GIVEN_EFFORT_X, GIVEN_EFFORT_Y]
-)  # of the keys: they follow STEER with a time constant of 0.05 s
+# EFFORT follows STEER with a time constant of 0.05 s.
+EFFORT = np.array((GIVEN_EFFORT_X, GIVEN_EFFORT_Y))
 # endif
 # ifdef HAS_STRETCHED
 STRETCHED = np.array(GIVEN_STRETCHED)
