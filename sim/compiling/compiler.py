@@ -206,16 +206,13 @@ def needed_by(method: str, body: Body) -> tuple[str, ...]:
     return *forces, *(for_fallback(body) if info.implicit else ()), info.kernel.py_func.__name__
 
 
-def all_of(method: str, body: Body) -> tuple[str, ...]:
-    """Names of all entry points that a run by a method may come to, with the energy balance."""
+def all_of(method: str, body: Body, *others: str) -> tuple[str, ...]:
+    """Names of all entry points that a run by a method, and then by others, may come to, with the energy
+    balance."""
     chosen = [one.name for one in AUTO_METHODS] if METHODS[method].kernel is None else []
     needed = [name for one in (method, *chosen) for name in needed_by(one, body)]
-    return tuple(dict.fromkeys((*needed, *for_balance(body), *for_fallback(body), *for_energy(body))))
-
-
-def by_any_method(method: str, body: Body) -> tuple[str, ...]:
-    """Names of all entry points that a body may come to by any method, first those of one method."""
-    return tuple(dict.fromkeys(name for one in (method, *METHODS) for name in all_of(one, body)))
+    rest = [name for one in others for name in needed_by(one, body)]
+    return tuple(dict.fromkeys((*needed, *for_balance(body), *for_fallback(body), *for_energy(body), *rest)))
 
 
 def kept() -> tuple[str, ...]:
@@ -300,8 +297,8 @@ class Compiler:
             self._run_threads()
 
     def want_for(self, method: str, body: Body) -> None:
-        """Make ready what moves a body by a method, and then what else may be asked of that body."""
-        self.want(needed_by(method, body), by_any_method(method, body))
+        """Make ready what moves a body by a method, and then what it may come to by any method."""
+        self.want(needed_by(method, body), all_of(method, body, *METHODS))
 
     def start(self) -> None:
         """Start making entry points ready."""

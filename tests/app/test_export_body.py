@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import re
 import runpy
 import subprocess
 import sys
-import zipfile
 from contextlib import redirect_stdout
 from dataclasses import replace
 from pathlib import Path
@@ -23,7 +21,7 @@ from msgspec.structs import replace as changed
 import sim
 from app.export.body import program
 from app.export.body.body import Body
-from app.export.body.data import body_csv, body_json
+from app.export.body.data import body_json
 from app.export.body.program import LAWS_IN_PROGRAMS, c_program, plain, python_program
 from app.export.formats import FORMATS, Options, Source
 from app.export.live.live import live_html
@@ -36,15 +34,10 @@ from sim.scene.types import AirLaw, Circle, Damage
 from sim.settings import apply_assignments
 from tests.app.command import Softrod, refused
 from tests.app.compiling_c import SANITIZED, compiled
+from tests.app.exported import CLOSE, DAMPED, EULER, LOADED, LOOSE, MUSCULAR, ONE_SIDED_GIRDER, STEPS, body_of
 from tests.page.check import NODE
 from tests.sim.changes import with_joints
-from tests.sim.surrounded import MOTORISED, ON_RAILS, ONE_SIDED, STEERED, around, block_on_a_belt
-
-EULER = sim.Integrator(method="symplectic_euler")
-STEPS = 400
-CLOSE = 1e-9
-"""px"""
-
+from tests.sim.surrounded import MOTORISED, ON_RAILS, STEERED, around, block_on_a_belt
 
 WRITERS = (
     python_program,
@@ -53,10 +46,6 @@ WRITERS = (
     lambda body: live_html(body.moment),
 )
 """Whatever writes a body that moves by itself."""
-
-
-def body_of(scene: sim.Scene) -> Body:
-    return Body.of(sim.Simulation(scene).capture())
 
 
 def printed(words: list[str]) -> np.ndarray:
@@ -112,41 +101,12 @@ POSE = sim.Pose(
     positions=tuple((300.0 + 25.0 * i, 200.0 + 3.0 * i * i) for i in range(9)),
     velocities=tuple((10.0 * i, -30.0) for i in range(9)),
 )
-LOOSE = sim.Scene(
-    name="loose",
-    masses=tuple(sim.Mass(position=(100.0 * i, 300.0), velocity=(90.0, 0.0), mass=1 + i) for i in range(3)),
-    walls=(sim.Wall(point=(0.0, 500.0), normal=(1.0, -3.0), friction=0.3),),
-    gravity=(0.0, 900.0),
-)
-DAMPED = sim.rope(masses=7, length=240.0, direction=(1.0, 0.2), angular_damping=30.0, rest_angle=20.0)
-LOADED = changed(
-    DAMPED,
-    bodies=(),
-    masses=tuple(
-        changed(m, force=(300.0 * i, -4000.0)) if i % 3 == 2 else m for i, m in enumerate(DAMPED.masses)
-    ),
-)
-MUSCULAR = changed(
-    DAMPED,
-    bodies=(),
-    beat=sim.Beat(frequency=1.7, phase=40.0),
-    linear_springs=tuple(
-        changed(s, muscle=sim.SpringMuscle(amplitude=0.2, phase=50.0 * i, per_beat=1 + i % 3)) if i % 2 else s
-        for i, s in enumerate(DAMPED.linear_springs)
-    ),
-    angular_springs=tuple(
-        changed(j, muscle=sim.JointMuscle(amplitude=-30.0, phase=70.0 * i, wave="pulse")) if i % 3 else j
-        for i, j in enumerate(DAMPED.angular_springs)
-    ),
-)
 FLOATING = changed(
     DAMPED, medium=sim.Medium(across=0.4, along=0.1), wind=sim.Wind(velocity=(80.0, -30.0)), air_friction=0.0
 )
 LYING = changed(MUSCULAR, gravity=(0.0, 0.0), ground=sim.Ground(forward=0.1, backward=0.5, sideways=0.9))
 CALM = ("dt=0.0002", "linear_stiffness=20000", "linear_damping=60")
 """With these, the girder does not tumble so that the last digit of its start grows to be seen."""
-ONE_SIDED_GIRDER = around(ONE_SIDED)
-"""Its springs and joints begin and end to act as it moves."""
 SCENES: dict[str, tuple[sim.Scene, tuple[str, ...]]] = {
     "rope": (sim.load_scene("tutorial-3.3"), ("rest_angle=25",)),
     "diagonal template": (sim.load_scene("tutorial-3.2"), ("template=135",)),
@@ -576,17 +536,6 @@ def test_a_program_goes_on_with_friction_that_holds(belt: Any, tmp_path: Path) -
             assert abs(places - simulation.positions).max() > 1e-3
 
 
-def test_motors_and_rails_are_in_json_and_tables_as_in_the_scene() -> None:
-    buggy, cart = sim.load_scene("buggy"), sim.load_scene("cart")
-    motors = [motor for motor in json.loads(body_json(body_of(buggy)))["joints"]["motor"] if motor]
-    assert [motor["keys"] for motor in motors] == ["left-right", "left-right"]
-    turned = [row for row in tables(buggy)["joints"] if row["motor_speed [deg/s]"]]
-    assert {(row["motor_speed [deg/s]"], row["motor_keys"]) for row in turned} == {("600.0", "left-right")}
-    assert json.loads(body_json(body_of(cart)))["masses"]["rail"] == [[1.0, 0.0], [0.0, 0.0]]
-    rails = [(row["rail_x"], row["rail_y"]) for row in tables(cart)["masses"]]
-    assert rails == [("1.0", "0.0"), ("0.0", "0.0")]
-
-
 @pytest.mark.parametrize(("before", "slides"), [(135, False), (180, True)])
 def test_a_program_goes_on_with_what_slides_in_spite_of_static_friction(
     before: int, slides: bool, tmp_path: Path
@@ -598,29 +547,6 @@ def test_a_program_goes_on_with_what_slides_in_spite_of_static_friction(
     body = Body.of(simulation.capture())
     simulation.step(STEPS)
     programs_end_where_it_is(simulation, body, tmp_path)
-
-
-def test_belts_are_in_tables_also_beside_walls_at_rest() -> None:
-    walls = (LOOSE.walls[0], changed(LOOSE.walls[0], speed=40.0))
-    rows = tables(changed(LOOSE, walls=walls))["walls"]
-    assert [row["speed [px/s]"] for row in rows] == ["", "40.0"]
-
-
-def test_how_bodies_bounce_is_in_json() -> None:
-    scene = sim.load_scene("jelly")
-    walls = tuple(changed(wall, restitution="constant") for wall in scene.walls)
-    data = json.loads(body_json(body_of(changed(scene, walls=walls))))
-    assert {wall["restitution"] for wall in data["walls"]} == {"constant"}
-
-
-def test_a_medium_and_the_ground_are_in_json_and_tables_as_in_the_scene() -> None:
-    resisted = changed(sim.load_scene("rope"), medium=sim.Medium(), ground=sim.Ground())
-    data = json.loads(body_json(body_of(resisted)))
-    assert data["medium"] == {"across": 1.0, "along": 0.5}
-    assert data["ground"]["sideways"] == 0.4
-    settings = {row["setting"]: row["value"] for row in tables(resisted)["settings"]}
-    assert settings["medium_across [kg/(px s)]"] == "1.0"
-    assert settings["ground_slip_speed [px/s]"] == "10.0"
 
 
 def test_a_program_says_what_is_another_in_it(tmp_path: Path, softrod: Softrod) -> None:
@@ -659,76 +585,6 @@ def test_nothing_of_a_scene_is_code_in_a_program(tmp_path: Path) -> None:
     assert plain("Brücke №5: 3.5 px/s") == "Brucke No5: 3.5 px/s"
 
 
-# ------------------------------------------------------------------------- data
-def test_a_scene_can_be_made_of_the_json() -> None:
-    simulation = sim.Simulation(changed(sim.load_scene("tutorial-3.2"), integrator=EULER))
-    simulation.step(100)
-    data = json.loads(body_json(Body.of(simulation.capture())))
-    masses, springs, joints = data["masses"], data["springs"], data["joints"]
-
-    def rows(columns: dict[str, list]) -> list[dict]:
-        return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
-
-    for name in ("position", "velocity"):
-        masses[name] = [tuple(pair) for pair in masses[name]]
-    made = sim.Scene(
-        name="made",
-        masses=tuple(sim.Mass(**row) for row in rows(masses)),
-        linear_springs=tuple(sim.LinearSpring(**row) for row in rows(springs)),
-        angular_springs=tuple(sim.AngularSpring(**row) for row in rows(joints)),
-        anchors=tuple(sim.Anchor(**anchor) for anchor in data["anchors"]),
-        gravity=tuple(data["gravity"]),
-        air_friction=data["air_friction"],
-        air_law=data["air_law"],
-        force_law=data["force_law"],
-        integrator=sim.Integrator(method=data["method"], dt=data["time_step"]),
-    )
-    other = sim.Simulation(made)
-    assert (other.positions == simulation.positions).all()
-    simulation.step(STEPS)
-    other.step(STEPS)
-    assert other.positions == pytest.approx(simulation.positions, abs=CLOSE, rel=0.0)
-
-
-def test_muscles_are_in_json_and_tables_as_in_the_scene() -> None:
-    data = json.loads(body_json(body_of(MUSCULAR)))
-    assert msgspec.convert(data["beat"], sim.Beat) == MUSCULAR.beat
-    for name, parts in (
-        ("springs", MUSCULAR.linear_springs),
-        ("joints", MUSCULAR.angular_springs),
-    ):
-        muscles = [part.muscle or None for part in parts]
-        assert data[name]["muscle"] == [muscle and msgspec.to_builtins(muscle) for muscle in muscles]
-        assert None in muscles
-        assert any(muscles)
-        rows = tables(MUSCULAR)[name]
-        amplitude = {"springs": "muscle_amplitude", "joints": "muscle_angle [deg]"}[name]
-        for muscle, row in zip(muscles, rows, strict=True):
-            wanted = muscle and (muscle.amplitude, muscle.phase, muscle.wave, muscle.per_beat)
-            columns = amplitude, "muscle_phase [deg]", "muscle_wave", "muscle_waves_per_beat"
-            a, phase, wave, per_beat = (row[column] for column in columns)
-            assert wanted == (muscle and (float(a), float(phase), wave, int(per_beat)))
-    settings = {row["setting"]: row["value"] for row in tables(MUSCULAR)["settings"]}
-    assert float(settings["beat_frequency [Hz]"]) == MUSCULAR.beat.frequency  # type: ignore[union-attr]
-    plain = body_of(DAMPED)
-    assert b"muscle" not in body_json(plain)
-    assert "beat_frequency [Hz]" not in {row["setting"] for row in tables(DAMPED)["settings"]}
-    for write in (python_program, c_program):
-        assert b"uscle" not in write(plain)[0]
-    assert '"muscles": null' in javascript_program(plain.moment)[0].decode()
-
-
-def test_the_sides_of_parts_are_in_json_and_tables_as_in_the_scene() -> None:
-    scene = ONE_SIDED_GIRDER
-    data, rows = json.loads(body_json(body_of(scene))), tables(scene)
-    for name, parts in (("springs", scene.linear_springs), ("joints", scene.angular_springs)):
-        sides = [part.only or None for part in parts]
-        assert len(set(sides)) == 3
-        assert data[name]["only"] == sides
-        assert [row["only"] or None for row in rows[name]] == sides
-    assert b"only" not in body_json(body_of(DAMPED))
-
-
 def test_a_step_bears_a_rope_that_is_slack_at_the_start(tmp_path: Path) -> None:
     """It falls until the rope is taut, which the step of a body without a rope would not bear."""
     falling = sim.Scene(
@@ -741,93 +597,6 @@ def test_a_step_bears_a_rope_that_is_slack_at_the_start(tmp_path: Path) -> None:
     assert "the largest stable one, 0.000632 s" in " ".join(python_program(body_of(falling))[1])
     for places in moved_by_programs(body_of(falling), tmp_path, 4000):
         assert 100.0 < places[1, 1] < 161.0
-
-
-def test_json_has_all_that_a_scene_has_with_units() -> None:
-    pile = json.loads(body_json(body_of(sim.load_scene("pile"))))
-    assert len(pile["walls"]) == 3
-    assert pile["contact"]["distance"] == sim.load_scene("pile").contact.distance  # type: ignore[union-attr]
-    assert {filling["kind"] for filling in pile["fillings"]} <= {"gas", "liquid"}
-    assert all(filling["area"] > 0.0 for filling in pile["fillings"])
-    flag = json.loads(body_json(body_of(sim.load_scene("flag-pole"))))
-    assert flag["wind"]["turbulence"] == 0.9
-    assert "contact" not in flag
-    girder = json.loads(body_json(body_of(sim.load_scene("girder"))))
-    assert girder["springs"]["strength"] == [s.strength for s in sim.load_scene("girder").linear_springs]
-    assert pile["units"]["velocity"] == "px/s"
-    loaded = json.loads(body_json(body_of(LOADED)))
-    assert loaded["masses"]["force"][1:3] == [[0.0, 0.0], [600.0, -4000.0]]
-    assert loaded["units"]["force"] == "kg px/s^2"
-    assert "force" not in pile["masses"]
-    metres = changed(LOOSE, view=sim.View(unit="m"))
-    assert json.loads(body_json(body_of(metres)))["units"]["gravity"] == "m/s^2"
-
-
-def tables(scene: sim.Scene) -> dict[str, list[dict[str, str]]]:
-    archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(scene))))
-    assert archive.testzip() is None
-    return {
-        name.removesuffix(".csv"): list(csv.DictReader(io.StringIO(archive.read(name).decode())))
-        for name in archive.namelist()
-    }
-
-
-def test_tables_have_every_number_with_its_unit() -> None:
-    scene = sim.load_scene("air-balloon")
-    found = tables(scene)
-    assert set(found) == {"masses", "springs", "joints", "settings", "walls", "fillings"}
-    body = body_of(scene)
-    assert [float(row["x [px]"]) for row in found["masses"]] == body.positions[:, 0].tolist()
-    assert [float(row["rest_length [px]"]) for row in found["springs"]] == body.rest_length.tolist()
-    assert [int(row["b"]) for row in found["springs"]] == body.ends[:, 1].tolist()
-    assert [float(row["stiffness [kg/s^2]"]) for row in found["joints"]] == body.joint_stiffness.tolist()
-    assert [float(row["rest_angle [deg]"]) for row in found["joints"]] == body.rest_angle.tolist()
-    settings = {row["setting"]: row["value"] for row in found["settings"]}
-    assert float(settings["gravity_y [px/s^2]"]) == scene.gravity[1]
-    assert settings["force_law"] == scene.force_law
-    assert float(found["walls"][0]["hardness [1/(px s^2)]"]) == scene.walls[0].hardness
-    assert found["fillings"][0]["masses"].split() == [str(m) for m in body.loops[0].masses]
-    circles = tables(sim.load_scene("lesson-resonance"))["masses"]
-    assert circles[0]["circle_radius [px]"] == "5.0"
-    assert circles[1]["circle_radius [px]"] == ""
-    assert "force_x [kg px/s^2]" not in circles[0]
-    forces = [(row["force_x [kg px/s^2]"], row["force_y [kg px/s^2]"]) for row in tables(LOADED)["masses"]]
-    assert forces[1:3] == [("0.0", "0.0"), ("600.0", "-4000.0")]
-    contact = {row["setting"]: row["value"] for row in tables(sim.load_scene("pile"))["settings"]}
-    assert float(contact["contact_distance [px]"]) > 0.0
-    assert body_csv(body) == body_csv(body_of(scene))
-
-
-def test_tables_have_decimal_commas_if_they_are_to() -> None:
-    body = body_of(sim.load_scene("air-balloon"))
-    with_commas = zipfile.ZipFile(io.BytesIO(body_csv(body, decimal_comma=True)))
-    for name in (plain := zipfile.ZipFile(io.BytesIO(body_csv(body)))).namelist():
-        head, *rows = csv.reader(io.StringIO(plain.read(name).decode()))
-        found = list(csv.reader(io.StringIO(with_commas.read(name).decode()), delimiter=";"))
-        assert found[0] == head
-        for row, other in zip(rows, found[1:], strict=True):
-            numbers = [cell.replace(".", ",") if cell[-1:].isdigit() else cell for cell in row]
-            assert [*map(str.strip, other)] == numbers
-
-
-def test_numpy_reads_a_table() -> None:
-    archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(sim.load_scene("girder")))))
-    for name, count in (("masses", 17), ("springs", 31)):
-        table = np.genfromtxt(io.StringIO(archive.read(f"{name}.csv").decode()), delimiter=",", names=True)
-        assert table.shape == (count,)
-        assert table.dtype.names is not None
-        assert all(np.isfinite(table[column]).all() for column in table.dtype.names)
-
-
-@pytest.mark.parametrize("text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "=HYPERLINK(A1)"])
-def test_no_text_is_a_formula_in_a_table(text: str) -> None:
-    scene = changed(LOOSE, name=text, title=text, view=sim.View(unit=text[:8]))
-    archive = zipfile.ZipFile(io.BytesIO(body_csv(body_of(scene))))
-    for name in archive.namelist():
-        for row in csv.reader(io.StringIO(archive.read(name).decode())):
-            for cell in row:
-                is_number = cell.replace(".", "").replace("-", "").isdigit()
-                assert is_number or not cell.startswith(("=", "+", "-", "@", "\t"))
 
 
 def test_a_body_that_has_run_away_is_refused() -> None:

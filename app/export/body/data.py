@@ -175,8 +175,10 @@ def _masses(body: Body) -> dict[str, Sequence[Any]]:
         "mass": body.mass.tolist(),
         "radius": body.radius.tolist(),
     }
-    if body.loads:
-        columns["force"] = [body.loads.get(i, (0.0, 0.0)) for i in range(len(body.mass))]
+    if body.loads or body.pushes:
+        columns["force"] = [mass.force or (0.0, 0.0) for mass in body.scene.masses]
+    if body.pushes:
+        columns["keys"] = [mass.keys or None for mass in body.scene.masses]
     if body.size.any():
         columns["solid"] = (body.size > 0.0).astype(int).tolist()
     if body.rails:
@@ -242,7 +244,9 @@ def _muscle_columns(
         return {}
     names = {amplitude: "amplitude", "muscle_phase": "phase"}
     names |= {"muscle_wave": "wave", "muscle_waves_per_beat": "per_beat"}
-    return {name: [getattr(muscle, field, None) for muscle in muscles] for name, field in names.items()}
+    columns = {name: [getattr(muscle, field, None) for muscle in muscles] for name, field in names.items()}
+    keys = [muscle.keys or None if muscle else None for muscle in muscles]
+    return columns | ({"muscle_keys": keys} if any(keys) else {})
 
 
 def _settings(body: Body) -> dict[str, Any]:
