@@ -69,18 +69,20 @@ class Framing:
         self._opening = -1
         self._found: Future[Bounds] = Future()
 
-    def bounds(self, opening: int, scene: Scene) -> Bounds | None:
+    def bounds(self, opening: int, scene: Scene, compiled: bool) -> Bounds | None:
         """(2, 2) px, as `motion_bounds`; None until they are known, and where they cannot be.
 
         Args:
             opening: number of the opened scene.
             scene: that scene.
+            compiled: whether its kernels are there; else this would compile them, too, and both take longer.
         """
-        if opening != self._opening:
+        if opening != self._opening and compiled:
             self._opening, found = opening, Future()
             self._found = found
             _worker.submit(lambda: _compute(scene, found))
-        return self._found.result() if self._found.done() and self._found.exception() is None else None
+        known = opening == self._opening and self._found.done() and self._found.exception() is None
+        return self._found.result() if known else None
 
 
 def _compute(scene: Scene, found: Future[Bounds]) -> None:

@@ -56,7 +56,10 @@ def test_bounds_are_found_once_for_each_opening(monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(framing, "motion_bounds", bounds)
     of, ring, rope = Framing(), sim.load_scene("ring"), sim.load_scene("rope")
-    eventually(lambda: of.bounds(1, ring) is not None)
-    assert of.bounds(1, rope) is not None
-    eventually(lambda: of.bounds(2, rope) is not None)
+    assert of.bounds(1, ring, False) is None
+    assert asked == [], "before its kernels are there, it would have to compile them"
+    eventually(lambda: of.bounds(1, ring, True) is not None)
+    assert of.bounds(1, rope, True) is not None
+    assert of.bounds(2, rope, False) is None, "these are the bounds of another body"
+    eventually(lambda: of.bounds(2, rope, True) is not None)
     assert asked == ["ring", "rope"]

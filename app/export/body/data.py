@@ -244,9 +244,13 @@ def _muscle_columns(
         return {}
     names = {amplitude: "amplitude", "muscle_phase": "phase"}
     names |= {"muscle_wave": "wave", "muscle_waves_per_beat": "per_beat"}
-    columns = {name: [getattr(muscle, field, None) for muscle in muscles] for name, field in names.items()}
+    columns: dict[str, Sequence[Any]] = {
+        name: [getattr(muscle, field, None) for muscle in muscles] for name, field in names.items()
+    }
     keys = [muscle.keys or None if muscle else None for muscle in muscles]
-    return columns | ({"muscle_keys": keys} if any(keys) else {})
+    if any(keys):
+        columns["muscle_keys"] = keys
+    return columns
 
 
 def _settings(body: Body) -> dict[str, Any]:

@@ -133,7 +133,7 @@ class PageView:
     def send_state(self, playing: bool) -> None:
         """Send the state of the page if it has changed; `playing`: the clock runs, or is about to."""
         session = self._session
-        bounds = self._framing.bounds(session.openings, session.scene)
+        bounds = self._framing.bounds(session.openings, session.scene, not session.simulation.plain)
         state = page_state(
             self._page, self._panel, self._number, playing, self._at_rest, self._broken, bounds
         )
