@@ -11,7 +11,7 @@ from sim.scene.types import Circle, ForceLaw, Method
 from sim.solve.registry import METHODS
 from tests.sim.bodies import LAWS, body
 from tests.sim.changes import by
-from tests.sim.fuzzing import STEPS, wild_scene
+from tests.sim.fuzzing import STEPS, wild_scene, wild_world, with_muscles
 from tests.sim.inside import same_state
 
 
@@ -53,6 +53,18 @@ def test_nor_do_they_change_whole_frames_of_wild_scenes() -> None:
                 simulation.step(STEPS, attempts=400)
         assert same_state(with_tracking, without), seed
     assert looked_at > 100
+
+
+def test_nor_that_of_what_muscles_pull_until_it_yields() -> None:
+    for seed in (31, 33, 171, 197, 269):
+        rng = np.random.default_rng(seed)
+        scene = with_muscles(wild_world(wild_scene(rng), rng), rng)
+        for method in ("velocity_verlet", "rk4"):
+            with_tracking, without = (Simulation(scene, integrator=method) for _ in range(2))
+            with_tracking.track_energy(True)
+            for simulation in (with_tracking, without):
+                simulation.step(150)
+            assert same_state(with_tracking, without), (seed, method)
 
 
 @pytest.mark.parametrize("method", METHODS)

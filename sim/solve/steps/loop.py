@@ -129,13 +129,15 @@ def advance(problem, drive, end, tolerance, attempts, begin, step, control, equa
             continue
         # Before all that evaluates forces elsewhere.
         shortest = shortest_of(body, problem.scratch) if trial.max_move < math.inf else 0.0
+        scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
         if balance.active:
             if not knows_a:
                 accelerate(problem, new.q, new.v, new.a)
-            scale, shift = state.controls[CONTROL_SCALE], state.controls[CONTROL_SHIFT]
             accumulate(problem, drive, trial.start, new.q, new.v, new.a, h)
-            if drive.moving:
-                apply_controls(body, state, drive, trial.end, scale, shift)
+        # What yields now must not depend on whether the energy is followed, and a method may have ended
+        # at a sum of times, which rounds differently.
+        if drive.moving and (balance.active or body.limits.present):
+            apply_controls(body, state, drive, trial.end, scale, shift)
         length = h if fixed == 0.0 else 0.0
         if update_friction_history(problem, old, new, length):
             accelerate(problem, new.q, new.v, new.a)
