@@ -11,7 +11,7 @@ import numpy as np
 from ..compiling.compiler import fetch, for_balance
 from ..engine.tables import Floats, Indices, Matrix
 from ..errors import InputError
-from ..forces.all import accelerations
+from ..forces.all import TERMS, accelerations
 from ..forces.joints import JointsReference
 from ..forces.plasticity import NO_LIMITS
 from ..forces.reference import Physics
@@ -175,6 +175,11 @@ class StaticModel:
         return bool(environment.touches)
 
     @property
+    def _is_held(self) -> bool:
+        """Whether something besides held masses can keep a part in place."""
+        return any(TERMS[index].holds for index in self.tables.environment.acting)
+
+    @property
     def creeps(self) -> bool:
         """Whether some friction cannot support anything at rest."""
         environment = self.tables.environment
@@ -184,11 +189,11 @@ class StaticModel:
         )
 
     def refuse_falling(self) -> None:
-        """Raise an error if a part is connected to no held mass, unless it can fall on something.
+        """Raise an error if a part is connected to no held mass, unless something else can hold it.
 
         Broken springs connect nothing. A part whose gravity and constant forces balance is accepted.
         """
-        if self.slides:
+        if self._is_held:
             return
         state, part = self.state, self.parts()
         free = state.inverse_mass[: part.size] > 0.0

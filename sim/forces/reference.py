@@ -43,6 +43,8 @@ class Physics:
         self._body, self._state = body, state
         self.terms = {term.name: term.reference(body, state) for term in TERMS}
         self._sticking = [term for term in self.terms.values() if isinstance(term, Sticking)]
+        acting = [self.terms[TERMS[index].name] for index in body.environment.acting]
+        self._bracing = [term for term in acting if isinstance(term, Bracing)]
 
     def forces(self, x: Vectors, v: Vectors) -> Vectors:
         """(slots,) all forces but gravity at positions x (px) and velocities v (px/s), kg px/s²."""
@@ -63,9 +65,8 @@ class Physics:
 
         Those that do not act at positions x (px) do so as if at rest there.
         """
-        for term in self.terms.values():
-            if isinstance(term, Bracing):
-                term.brace(x)
+        for term in self._bracing:
+            term.brace(x)
 
     def update_friction_history(self, x: Vectors, v: Vectors) -> None:
         """Update the tangential springs after a step to positions x with velocities v."""

@@ -85,7 +85,7 @@ class Sticking(Protocol):
 
 @runtime_checkable
 class Bracing(Protocol):
-    """A `Reference` of parts that may soon be stiffer than they are."""
+    """A `Reference` of parts that may soon be stiffer than they are; the stability limit is that of all."""
 
     def brace(self, x: Vectors) -> None:
         """Let all act as stiffly as they can; those that do not act at positions x (px) as if at rest."""
@@ -124,6 +124,7 @@ class Term:
         bounds: given a body's tables, (masses,) upper bounds of the row sums of minus the derivatives of its
             forces by positions, kg/s², and by velocities, kg/s, for NumPy's stand-in of the solver.
         touches: whether it acts only on masses that are in something, such as a wall.
+        holds: whether it can keep a body in place that hangs on nothing, so that this has an equilibrium.
         sticks: whether tangential springs may hold what touches something in the term's table.
         depends_on_time: whether the force changes with time by itself, in a body.
     """
@@ -145,6 +146,7 @@ class Term:
     kink_fraction: Kernel | None = None
     bounds: Callable[[Body], tuple[Floats, Floats]] | None = None
     touches: bool = False
+    holds: bool = False
     sticks: Callable[[Any], bool] = lambda _table: False
     depends_on_time: Callable[[Body], bool] = lambda _body: False
 

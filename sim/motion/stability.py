@@ -241,9 +241,7 @@ class StabilityMeter:
         if self._softens and step:
             body = body.replaced(environment=body.environment.replaced(step=step))
         physics = Physics(body, self._probe)
-        one_sided, motors = body.environment.one_sided, body.environment.motors
-        if one_sided.springs.size or one_sided.joints.size or motors.joint.size:
-            physics.brace(self._flat(self._probe.q))
+        physics.brace(self._flat(self._probe.q))
         return physics
 
     def _estimate(

@@ -66,6 +66,9 @@ stiff = sim.rope(masses=2, attractors=(Attractor(point=(300.0, 100.0), strength=
 found = limit_at_start(stiff, "velocity_verlet")
 assert found.cause == "attractors", found
 assert abs(found.limit - 2.0 / 9e5 ** 0.5) < 0.02 * found.limit, found
+one = sim.Mass(position=(320.0, 90.0))
+floats = sim.Scene(name="one", masses=(one,), attractors=stiff.attractors, gravity=(0.0, 9e4))
+assert np.abs(np.subtract(sim.equilibrium(floats).positions[0], (300.0, 100.1))).max() < 1e-6
 
 bent = sim.rope(masses=6, force_law="tangent", gravity=(0.0, 0.0))
 assert differs(bent) < 1e-12
@@ -141,10 +144,10 @@ def test_a_term_a_law_and_a_method_are_added_by_the_guide_s_steps_alone(tmp_path
         "    attractors: tuple[Attractor, ...] | msgspec.UnsetType = msgspec.UNSET\n",
     )
     (forces / "attractors.py").write_text(module, encoding="utf-8")
-    change(forces / "all.py", "FILLINGS, CONTACT)\n", "FILLINGS, CONTACT, ATTRACTORS)\n")
+    change(forces / "all.py", "PUSHES, RAILS)\n", "PUSHES, RAILS, ATTRACTORS)\n")
     change(forces / "all.py", "from .air import", "from .attractors import ATTRACTORS\nfrom .air import")
     # A law: a code, a row, a case, and the same in NumPy.
-    (case,) = blocks("A force law")
+    (case,) = blocks("A force law of joints")
     joints = forces / "joints.py"
     change(types, '"tutorial", "conservative", "angle"', '"tutorial", "conservative", "angle", "tangent"')
     change(

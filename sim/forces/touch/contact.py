@@ -630,5 +630,6 @@ CONTACT = Term(
     impact_time=_impact_time,
     bounds=_bounds,
     touches=True,
+    holds=True,
     sticks=lambda contact: contact.tangential > 0.0,
 )

@@ -609,6 +609,7 @@ WALLS = Term(
     add_damping=_add_damping,
     impact_time=_impact_time,
     touches=True,
+    holds=True,
     sticks=lambda walls: walls.tangential,
     depends_on_time=lambda body: bool(body.environment.walls.runs),
 )
