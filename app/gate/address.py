@@ -17,9 +17,10 @@ _FIELDS = {
     "s": re.compile(r"[!-%'-~]{0,40}"),
     "room": re.compile(r"[A-Za-z]{0,4}", re.ASCII),
     "as": re.compile(r"(desk|wall|seat|check)?", re.ASCII),
+    "lang": re.compile(r"[A-Za-z-]{0,20}", re.ASCII),
 }
 """Fields of the query of a page's address: controls (`app.ui.controls`), scene (`app.ui.opening`), class and
-role in it (`app.features.classroom`)."""
+role in it (`app.features.classroom`), and language (`app.words`)."""
 
 _PAGE = re.compile(r".*/(?:at|line)/([0-9a-f]{32})", re.ASCII)
 _LINE = re.compile(r".*/line/[0-9a-f]{32}", re.ASCII)

@@ -14,6 +14,7 @@ import dataclasses
 import functools
 import ipaddress
 import logging
+import re
 import time
 from collections import Counter
 from collections.abc import Awaitable, Callable, Mapping, Sequence
@@ -29,6 +30,7 @@ from websockets.server import ServerProtocol
 
 # viser reads messages of the kinds that exist when the first one comes, so this is imported before.
 from .. import viser_inside as viser_inside
+from .. import words
 from . import messages as gate_messages
 from .address import (
     GateError,
@@ -112,6 +114,17 @@ PROXY_HEADERS = ("Forwarded", "X-Forwarded-For", "X-Forwarded-Host", "X-Forwarde
 """What proxies add to the requests that they pass on."""
 
 
+_CHOSEN = re.compile(r"(?:^|;)\s*softrod-lang=([A-Za-z-]{1,20})\s*(?:;|$)", re.ASCII)
+
+
+def language_of(request: Request) -> str:
+    """The language of a page: that of its address, else the one chosen on this device, else the browser's."""
+    asked = (page_query(request.path.partition("?")[2]) or {}).get("lang", "")
+    chosen = next(filter(None, map(_CHOSEN.search, request.headers.get_all("Cookie"))), None)
+    accepted = ",".join(request.headers.get_all("Accept-Language"))
+    return words.choose(asked or (chosen[1] if chosen else ""), accepted)
+
+
 class Budget:
     """A token bucket: `burst` at first, then `rate` a second."""
 
@@ -146,6 +159,7 @@ class Visit:
 
     Attributes:
         query: with which it did, which may be anything.
+        language: that it is to be spoken to in.
         host: the name and port by which it reached the server.
         visitor: whose share of the server it takes.
         is_local: whether it is certainly of this machine: nobody else can connect, and no proxy passed it on.
@@ -153,6 +167,7 @@ class Visit:
     """
 
     query: str = ""
+    language: str = words.ENGLISH
     host: str = ""
     visitor: str = ""
     is_local: bool = False
@@ -240,6 +255,7 @@ class Gate:
         heard: called with the number of a page that has sent something, before viser reads it.
         choose: the path of the file that is sent for a page, by the page's own path, its query, and whether
             it is certainly of this machine.
+        translate: the file at a page's path in a language; None if it has no other than the usual.
         hold: talks with a page of softrod's own until its connection ends.
         advice: for whoever started the server, why pages were refused, and which option admits them. Anybody
             can cause some, so there are never more than `MAX_ADVICE`.
@@ -259,6 +275,7 @@ class Gate:
         self.advice: list[str] = []
         self.heard: Callable[[int], None] = lambda _: None
         self.choose: Callable[[str, str, bool], str] = lambda path, query, is_local: path
+        self.translate: Callable[[str, str], StaticFile | None] = lambda path, language: None
         self.hold: Callable[[Connection], Awaitable[None]] = _refuse_lines
         self._more_tabs = more_tabs
         self._public = public
@@ -310,7 +327,7 @@ class Gate:
         path, _, query = request.path.partition("?")
         if path in PAGE_PATHS:
             path = self.choose(path, query, self._is_local(request))
-        return self._files.get(path)
+        return self.translate(path, language_of(request)) or self._files.get(path)
 
     def _admit_page(self, connection: Connection, request: Request) -> None:
         """Count a page, in place of its former connections, or of another's page if the server is full."""
@@ -407,7 +424,9 @@ class Gate:
         request = connection.request
         assert request is not None
         query = request.path.partition("?")[2]
-        return Visit(query, request.headers["Host"], connection.visitor, self._is_local(request))
+        return Visit(
+            query, language_of(request), request.headers["Host"], connection.visitor, self._is_local(request)
+        )
 
     def _is_local(self, request: Request) -> bool:
         return self.loopback and not any(map(request.headers.get_all, PROXY_HEADERS))

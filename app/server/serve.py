@@ -49,13 +49,14 @@ from ..gate.gate import CLASS, Connection, GatedServer, Visit, exposure, open_se
 from ..linking import print_qr_code
 from ..pages.check.page import check_address
 from ..pages.classroom.tab import ClassTab
-from ..pages.sandbox.assets import page_files
+from ..pages.sandbox.assets import page_files, translated
 from ..pages.sandbox.tab import Tab
 from ..stage.colors import LIGHT_GAIN
 from ..ui import owner
 from ..ui.panel import set_theme
 from ..wire.carrier import Mail
 from ..wire.line import Line, flush
+from ..words import speaking
 from .ticker import Ticker
 
 PAGES_OF_CLASS = 40
@@ -90,8 +91,12 @@ class _Tabs:
 
     def make(self, client: viser.ClientHandle) -> Tab:
         """The tab of a page of viser's: a sandbox, or a teacher's, as its address says."""
+        visit = self.server.gate.visit(client.client_id)
+        with speaking(visit.language):
+            return self._tab(client, visit)
+
+    def _tab(self, client: viser.ClientHandle, visit: Visit) -> Tab:
         gate = self.server.gate
-        visit = gate.visit(client.client_id)
         classroom = class_of_query(visit.query, self._classes)
 
         def role(mail: Mail) -> Role | None:
@@ -123,6 +128,10 @@ class _Tabs:
 
     def make_class_tab(self, line: Line, visit: Visit) -> ClassTab:
         """The tab of a page of a class, which is no teacher's."""
+        with speaking(visit.language):
+            return self._class_tab(line, visit)
+
+    def _class_tab(self, line: Line, visit: Visit) -> ClassTab:
         classroom = class_of_query(visit.query, self._classes)
         if is_check(visit.query):
             check, rope = CheckRole(classroom), sim.load_scene("rope")
@@ -202,6 +211,7 @@ def serving(
         ticker.attach(server)
         gate = server.gate
         gate.heard, gate.choose, gate.hold = ticker.hear, tabs.choose_page, tabs.hold
+        gate.translate = translated
         yield server, ticker, compiler
     finally:
         compiler.stop()

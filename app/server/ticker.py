@@ -19,6 +19,7 @@ import viser
 
 from ..session.session import FRAME
 from ..ui.ticked import CALM_FRAME, Ticked
+from ..words import speaking
 
 BUDGET = 0.7
 """Part of a frame for the solver, for all tabs; the rest is for drawing and the network."""
@@ -147,8 +148,9 @@ class Ticker:
         self._calm_due[client_id] = began + CALM_FRAME
         try:
             share = BUDGET * (CALM_FRAME if calm else self._frame) / computing
-            if tab.frame(share, self._workers.submit):
-                tab.flush()
+            with speaking(tab.language):
+                if tab.frame(share, self._workers.submit):
+                    tab.flush()
         except Exception:
             # The page left in the middle of a frame, or there is a defect: the other tabs continue.
             _log.exception("the tab %s is closed after an error", client_id)

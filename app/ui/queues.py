@@ -7,6 +7,7 @@ import threading
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextvars import copy_context
 from functools import partial
 from typing import Any, Generic, TypeVar
 
@@ -69,6 +70,8 @@ class BoundedQueue(Generic[T]):
 class SerialQueue:
     """Runs the work of one page in order, one at a time, so that no page occupies all `threads`.
 
+    All of it runs in the context in which the queue is made, which has the language of the page's user.
+
     Args:
         refuse: shows a notice to the page's user when too much is waiting.
     """
@@ -76,6 +79,7 @@ class SerialQueue:
     def __init__(self, refuse: Callable[[Notice], None]) -> None:
         self._waiting: BoundedQueue[Callable[[], None]] = BoundedQueue(refuse)
         self._lock = threading.Lock()
+        self._context = copy_context()
         self._busy = False
 
     def submit(self, work: Callable[..., None], *arguments: Any) -> None:
@@ -91,7 +95,7 @@ class SerialQueue:
         with self._lock:
             work = self._waiting.take()
         try:
-            work()
+            self._context.run(work)
         except Exception:  # a defect, or a page that was closed meanwhile
             _log.exception("a request of a page failed")
         with self._lock:

@@ -17,7 +17,13 @@ RunInThread = Callable[..., Future[Any]]
 
 
 class Ticked(Protocol):
-    """A page, as the ticker uses it; all but `stir` belongs to the ticker's thread."""
+    """A page, as the ticker uses it; all but `stir` belongs to the ticker's thread.
+
+    Attributes:
+        language: that its user is spoken to in, while the ticker handles it.
+    """
+
+    language: str
 
     @property
     def is_calm(self) -> bool:

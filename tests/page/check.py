@@ -60,7 +60,8 @@ def _scripts(folder: Path) -> Iterator[Command]:
     # Nothing of it is computed, so nobody waits for the solver.
     program.write_bytes(javascript_program(sim.Simulation(sim.load_scene("pile"), wait=False).capture())[0])
     yield [*types, *options, program]
-    yield [NODE, "--test", "--test-reporter=dot", *sorted(FOLDER.glob("*.test.mjs"))]
+    words = f"--import={(FOLDER / 'words.mjs').as_uri()}"
+    yield [NODE, words, "--test", "--test-reporter=dot", *sorted(FOLDER.glob("*.test.mjs"))]
 
 
 def _models(folder: Path) -> Iterator[Command]:

@@ -1,7 +1,7 @@
-"""Writes what is made from the messages and commands in `app/wire`.
+"""Writes what is made from the messages and commands in `app/wire`, and from the words in `app/words/en`.
 
 `uv run python -m tests.page.generate` writes the types and the table of commands that the page's script has,
-and the lists in the documents. A test says when they are old.
+the keys of all texts, and the lists in the documents. A test says when they are old.
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from fluent.syntax import ast
+from fluent.syntax.visitor import Visitor
 from msgspec import inspect as types_of
 
 from app.pages.sandbox.features import COMMANDS, FEATURES
@@ -20,10 +22,12 @@ from app.ui.commands import key_lines
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 from app.wire.sections import Section
+from app.words import ENGLISH, entries
 
 COMMAND = "uv run python -m tests.page.generate"
 ROOT = Path(__file__).parents[2]
 WIRE, PAGE = ROOT / "app" / "wire", ROOT / "app" / "pages" / "sandbox"
+WORDS = ROOT / "app" / "words"
 LETTERS = {"Space": " ", "Esc": "Escape"}
 """Keys that a browser calls otherwise than the help."""
 
@@ -247,6 +251,69 @@ def keys_list() -> str:
     )
 
 
+class _Places(Visitor):
+    """Finds the places of a message, each with its name."""
+
+    def __init__(self) -> None:
+        self.names: dict[str, None] = {}
+
+    def visit_VariableReference(self, node: ast.VariableReference) -> None:
+        self.names[node.id.name] = None
+
+
+def places(pattern: ast.Pattern) -> list[str]:
+    """The names of what stands in a text's places."""
+    found = _Places()
+    found.visit(pattern)
+    return list(found.names)
+
+
+def texts() -> dict[str, list[str]]:
+    """All texts that are said, by their keys, and the names of their places."""
+    found = {}
+    for name, entry in entries(ENGLISH).items():
+        if entry.value is not None:
+            found[name] = places(entry.value)
+        for attribute in entry.attributes:
+            found[f"{name}.{attribute.id.name}"] = places(attribute.value)
+    return found
+
+
+def keys_for_python() -> str:
+    """keys.py."""
+    rows = (f"    {json.dumps(key)}," for key in texts())
+    return "\n".join(
+        (
+            f'"""The keys of all texts. Made by `{COMMAND}` from app/words/en."""',
+            "",
+            "from typing import Literal",
+            "",
+            "Key = Literal[",
+            *rows,
+            "]",
+            "",
+        )
+    )
+
+
+def keys_for_script() -> str:
+    """keys.d.ts."""
+    rows = (
+        f"  {json.dumps(key)}: {' | '.join(map(json.dumps, names)) or 'never'};"
+        for key, names in texts().items()
+    )
+    return "\n".join(
+        (
+            f"// Made by `{COMMAND}` from app/words/en.",
+            "/** The keys of all texts, and the names of their places. */",
+            "export type Words = {",
+            *rows,
+            "};",
+            "",
+        )
+    )
+
+
 def messages_list() -> str:
     """All messages, for docs/wire.md."""
     return "\n\n".join(
@@ -277,6 +344,8 @@ def files() -> dict[Path, str]:
         WIRE / "commands.js": table(),
         WIRE / "layouts.js": layout_table(),
         PAGE / "features.js": features(),
+        WORDS / "keys.py": keys_for_python(),
+        WORDS / "keys.d.ts": keys_for_script(),
         using: between(using, "keys", keys_list()),
         wire: between(wire, "messages", messages_list()),
     }

@@ -11,7 +11,7 @@ const HEAD = 8;
 /** The address of the connection, as the page's own address says. @param {string} name */
 function address(name) {
   const asked = new URLSearchParams(location.search);
-  const fields = ["room", "as"].filter((field) => asked.has(field)).map((field) => `${field}=${encodeURIComponent(asked.get(field) || "")}`);
+  const fields = ["room", "as", "lang"].filter((field) => asked.has(field)).map((field) => `${field}=${encodeURIComponent(asked.get(field) || "")}`);
   const folder = location.pathname.replace(/[^/]*$/, "");
   return `${location.protocol.replace("http", "ws")}//${location.host}${folder}line/${name}${fields.length ? "?" : ""}${fields.join("&")}`;
 }

@@ -6,15 +6,11 @@ import { identify } from "../../ui/owner.js";
 import { make } from "../../ui/dialog.js";
 import { onMessage, send } from "../../wire/channel.js";
 import { reasonOfRefusal } from "../../wire/reach.js";
+import { say } from "../../words/words.js";
 import { openLine } from "./line.js";
 import { Picture } from "./picture.js";
 import { addSeat } from "./seat.js";
 import { addWall } from "./wall.js";
-
-/** What is said where the server gives no reason why there is no first connection. */
-const BLOCKED =
-  "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the teacher's computer.";
-const AWAY = "Not connected. Reconnecting…";
 
 if (ready) {
   identify();
@@ -29,8 +25,9 @@ if (ready) {
     if (!away) wasConnected = true;
     document.documentElement.toggleAttribute("data-softrod-away", away);
     const words = part.lineChanged(away);
-    banner.textContent = away ? words || AWAY : "";
-    if (away && !wasConnected) reasonOfRefusal(BLOCKED, AWAY).then((text) => wasConnected || (banner.textContent = text));
+    banner.textContent = away ? words || say("line-away") : "";
+    // The server may give no reason why there is no first connection.
+    if (away && !wasConnected) reasonOfRefusal(say("class-blocked"), say("line-away")).then((text) => wasConnected || (banner.textContent = text));
   });
   onMessage("remark", ({ title, text }) => {
     const said = make("p", "softrod-remark");

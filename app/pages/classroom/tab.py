@@ -46,6 +46,7 @@ from ...wire.carrier import Mail
 from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
+from ...words import language
 
 MAX_REQUESTS = 20
 """Requests of one page that are served in a frame."""
@@ -80,7 +81,7 @@ PERFORMED: dict[str, commands.Command] = {
 
 
 class ClassTab:
-    """One page.
+    """One page; it is made in the language of its user.
 
     Args:
         line: its connection.
@@ -98,6 +99,7 @@ class ClassTab:
         role_of: Callable[[Mail], Role],
         send: Callable[[Line], object],
     ) -> None:
+        self.language = language()
         self._line, self._send = line, send
         self._mail = Mail(line.post)
         self._role = role_of(self._mail)

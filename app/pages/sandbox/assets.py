@@ -12,6 +12,7 @@ from ...bundle import bundle, compact_style
 from ...gate.gate import CHECK, CLASS, PAGE_PATHS, VIDEO, GateError, StaticFile
 from ...stage.looks import style_rules
 from ...viser_inside import PLACE, page_script
+from ...words import ENGLISH, localized
 from ..check.page import check_page
 from ..classroom.page import class_page
 from ..video.page import video_page
@@ -19,8 +20,13 @@ from .features import FEATURES
 
 _APP = Path(__file__).parents[2]
 _MAIN = "pages/sandbox/main.js"
-_SCRIPTS = (_MAIN, "pages/classroom/main.js", "pages/check/check.js", "pages/video/video.js")
-"""Each page's script; it is sent as one with all that it imports, since many small files cost more bytes."""
+_PAGES = {
+    CLASS: (class_page, "pages/classroom/main.js"),
+    CHECK: (check_page, "pages/check/check.js"),
+    VIDEO: (video_page, "pages/video/video.js"),
+}
+"""By their paths, what makes each page but the sandbox, and its script. This is sent as one with all that it
+imports, since many small files cost more bytes."""
 _FOLDERS = tuple(_APP / name for name in ("ui", "features", "pages"))
 """Folders with images and fonts, which have the same relative paths as on the disk."""
 _TYPES = {".svg": "image/svg+xml", ".webp": "image/webp", ".woff2": "font/woff2"}
@@ -28,6 +34,21 @@ _FOREVER = "public, max-age=31536000, immutable"
 _FIRST_SHEETS = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "ui/gui/gui.css", "stage/stage.css")
 _LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
 """Style sheets of no feature, before and after those of features; later ones take precedence."""
+
+
+@cache
+def _sources() -> dict[str, bytes]:
+    """Scripts, images and fonts, by their names in the folder of the application."""
+    paths = (path for folder in _FOLDERS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
+    sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
+    scripts = _MAIN, *(script for _, script in _PAGES.values())
+    return sources | {name: bundle(_APP / name).encode() for name in scripts}
+
+
+@cache
+def _folder() -> str:
+    """Where they are, with a slash at its end. It is relative, since the page may be in a site's folder."""
+    return f"softrod/{hashlib.sha256(b''.join(_sources().values())).hexdigest()[:12]}/"
 
 
 @cache
@@ -40,24 +61,20 @@ def page_files() -> dict[str, StaticFile]:
     Raises:
         GateError: viser's page differs from the known version.
     """
-    paths = (path for folder in _FOLDERS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
-    sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
-    sources |= {name: bundle(_APP / name).encode() for name in _SCRIPTS}
-    digest = hashlib.sha256(b"".join(sources.values())).hexdigest()[:12]
-    # Relative, since the page may be in a folder of another site.
-    folder = f"softrod/{digest}/"
+    folder = _folder()
     files = {
         f"/{folder}{name}": StaticFile(
             gzip.compress(data, mtime=0), _TYPES.get(Path(name).suffix, "text/javascript"), _FOREVER
         )
-        for name, data in sources.items()
+        for name, data in _sources().items()
     }
-    others = {
-        CHECK: _html(check_page(folder)),
-        CLASS: _html(class_page(folder)),
-        VIDEO: _html(video_page(folder)),
-    }
-    return {**files, **dict.fromkeys(PAGE_PATHS, _html(_index(folder))), **others}
+    return {**files, **{path: page_in(path, ENGLISH) for path in (*PAGE_PATHS, *_PAGES)}}
+
+
+def translated(path: str, language: str) -> StaticFile | None:
+    """The page at a path in a language; None for what is no page."""
+    is_page = language != ENGLISH and path in (*PAGE_PATHS, *_PAGES)
+    return page_in(PAGE_PATHS[0] if path in PAGE_PATHS else path, language) if is_page else None
 
 
 def _sheets() -> list[Path]:
@@ -85,7 +102,15 @@ def page_styles(fonts: str) -> str:
     )
 
 
-def _html(page: str) -> StaticFile:
+@cache
+def page_in(path: str, language: str) -> StaticFile:
+    """The page at a path in a language.
+
+    Raises:
+        GateError: viser's page differs from the known version.
+    """
+    make, script = _PAGES.get(path, (_index, _MAIN))
+    page = localized(make(_folder()), language, _sources()[script].decode())
     return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
 
 
@@ -109,6 +134,7 @@ def _index(folder: str) -> str:
             f"<style>{page_styles(f'{folder}ui/fonts/')}</style></head><body>",
             (_APP / "ui" / "viser" / "loading.html").read_text(encoding="utf-8"),
             PLACE,
+            "{words}",
             f'<script type="module" src="{folder}{_MAIN}"></script>',
             f'<script type="text/plain"{script.removeprefix("<script")}</body></html>',
         )

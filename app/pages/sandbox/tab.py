@@ -44,6 +44,7 @@ from ...wire import from_page
 from ...wire.carrier import Mail, by_viser, listen
 from ...wire.messages import Ask, FromPage, messages
 from ...wire.to_page import Hud, Keepsake, PageState, Run
+from ...words import language
 from .address import PageAddress
 from .features import COMMANDS, FEATURES
 from .page_panel import PagePanel
@@ -59,7 +60,7 @@ UNTOUCHED = 1.0
 
 
 class Tab:
-    """One page.
+    """One page; it is made in the language of its user.
 
     Args:
         client: viser's handle of it.
@@ -85,7 +86,7 @@ class Tab:
         begin_class: Callable[[sim.Scene], str] | None = None,
         is_taught: Callable[[Lesson], bool] = lambda _: False,
     ) -> None:
-        self.client = client
+        self.client, self.language = client, language()
         self._for_others, self._begin_class, self._is_taught = for_others, begin_class, is_taught
         self._mail = Mail(by_viser(client))
         self._notices = NoticeBoard(client)

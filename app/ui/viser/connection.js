@@ -35,7 +35,7 @@ export function askedScene(search) {
  */
 export function serverPath(name, search, isNew) {
   const asked = new URLSearchParams(search);
-  const always = ["controls", "room", "as"].filter((field) => asked.has(field));
+  const always = ["controls", "room", "as", "lang"].filter((field) => asked.has(field));
   const scene = isNew && !asked.has("room") ? askedScene(search) : "";
   const fields = [scene, ...always.map((field) => `${field}=${encodeURIComponent(asked.get(field) ?? "")}`)].filter(Boolean);
   return `/at/${name}${fields.length ? "?" : ""}${fields.join("&")}`;

@@ -1,0 +1,196 @@
+"""What softrod says, in the language of whoever it says it to.
+
+Texts are Fluent messages (https://projectfluent.org): a folder a language, `app/words/de`, and in it a file
+for each part of the program. Whoever handles a page does so inside `speaking` its language; `say` gives a
+text. A message that a language lacks is said in English.
+
+A page is sent those messages only that its script names, as the text that `of_script` makes.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from fluent.runtime import FluentBundle, FluentResource
+from fluent.syntax import FluentParser, ast, serialize
+from fluent.syntax.serializer import FluentSerializer
+from fluent.syntax.visitor import Transformer
+
+from .keys import Key
+
+ENGLISH = "en"
+"""The language in which texts are written first."""
+
+PSEUDO = "en-XA"
+"""English with accents and longer words. What stays plain is said by no message; what is cut has no room."""
+
+_FOLDER = Path(__file__).parent
+_KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')
+_PLACE = re.compile(r"\{say ([a-z0-9-]+)((?:\.[a-z]+)?)\}")
+_RANGE = re.compile(r"\s*([A-Za-z]{1,8}(?:-[A-Za-z0-9]{1,8})*|\*)\s*(?:;\s*q\s*=\s*([0-9.]{1,5}))?\s*")
+_ACCENTS = str.maketrans("aceinouyACDEINOSUYZdgklrstz", "àçéîñöüýÀÇÐÉÎÑÖŠÛÝŽðğķļŕšťž")
+
+_now: ContextVar[str] = ContextVar("language", default=ENGLISH)
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """A language that softrod speaks.
+
+    Attributes:
+        tag: by BCP 47, as in ``de``.
+        name: what those who speak it call it.
+        direction: ``ltr``, or ``rtl`` where text runs from right to left.
+    """
+
+    tag: str
+    name: str
+    direction: str
+
+
+@cache
+def languages() -> dict[str, Language]:
+    """The languages by their tags, English first."""
+    tags = sorted(path.parent.name for path in _FOLDER.glob("*/language.ftl"))
+    tags.sort(key=ENGLISH.__ne__)
+    return {tag: Language(tag, _text(tag, "language-name"), _text(tag, "language-direction")) for tag in tags}
+
+
+def choose(asked: str, accepted: str = "") -> str:
+    """The language to speak.
+
+    Args:
+        asked: the tag that somebody chose; anything else if nobody did.
+        accepted: the header ``Accept-Language``, which may be anything.
+    """
+    if asked in languages() or asked == PSEUDO:
+        return asked
+    best, liked = ENGLISH, 0.0
+    for part in accepted[:1000].split(","):
+        if not (match := _RANGE.fullmatch(part)):
+            continue
+        tag = match[1].split("-")[0].lower()
+        try:
+            weight = float(match[2] or 1.0)
+        except ValueError:
+            continue
+        if tag in languages() and liked < weight <= 1.0:
+            best, liked = tag, weight
+    return best
+
+
+def language() -> str:
+    """The tag of the language that is spoken now."""
+    return _now.get()
+
+
+def direction() -> str:
+    """The direction of its text, ``ltr`` or ``rtl``."""
+    return languages()[_now.get()].direction if _now.get() in languages() else "ltr"
+
+
+@contextmanager
+def speaking(tag: str) -> Iterator[None]:
+    """Speak a language; nested calls return to the one before."""
+    token = _now.set(tag)
+    try:
+        yield
+    finally:
+        _now.reset(token)
+
+
+def say(key: Key, **values: str | float) -> str:
+    """A text in the language that is spoken now.
+
+    Args:
+        key: the message's, or that of one of its attributes, as in ``play-step.hint``.
+        values: what stands in its places; whole numbers choose between its plural forms.
+    """
+    return _text(_now.get(), key, **values)
+
+
+def _text(tag: str, key: str, **values: str | float) -> str:
+    bundle, (name, _, attribute) = _bundle(tag), key.partition(".")
+    message = bundle.get_message(name)
+    pattern = message.attributes[attribute] if attribute else message.value
+    assert pattern is not None, f"{key} has no text"
+    return str(bundle.format_pattern(pattern, values)[0])
+
+
+# ------------------------------------------------------------------------- files
+@cache
+def entries(tag: str) -> dict[str, ast.Message]:
+    """The messages of a language by their names, those only that it has itself.
+
+    Raises:
+        ValueError: a file has an error, or two have the same message.
+    """
+    found: dict[str, ast.Message] = {}
+    if tag == PSEUDO:
+        return {name: Pseudo().visit(entry.clone()) for name, entry in entries(ENGLISH).items()}
+    for path in sorted((_FOLDER / tag).glob("*.ftl")):
+        for entry in FluentParser(with_spans=False).parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(entry, ast.Junk):
+                raise ValueError(f"{path.name} of {tag}: {entry.annotations[0].message} in {entry.content!r}")
+            if isinstance(entry, ast.Message):
+                if entry.id.name in found:
+                    raise ValueError(f"{path.name} of {tag}: there are two messages {entry.id.name}")
+                entry.comment = None
+                found[entry.id.name] = entry
+    return found
+
+
+class Pseudo(Transformer):
+    """Makes a message's text pseudo-English, 40 percent longer."""
+
+    def visit_TextElement(self, node: ast.TextElement) -> ast.TextElement:
+        words = node.value.split(" ")
+        node.value = " ".join(word.translate(_ACCENTS) + "·" * round(0.4 * len(word)) for word in words)
+        return node
+
+
+@cache
+def _messages(tag: str) -> dict[str, ast.Message]:
+    """All messages, in English where the language has none."""
+    return entries(ENGLISH) | entries(tag)
+
+
+@cache
+def _bundle(tag: str) -> FluentBundle:
+    # Marks around what stands in a text's places, which keep its direction, matter where directions mix.
+    entry = entries(tag).get("language-direction")
+    mixes = entry is not None and "rtl" in serialize(ast.Resource([entry]))
+    bundle = FluentBundle([tag], use_isolating=mixes)
+    bundle.add_resource(FluentResource(serialize(ast.Resource(list(_messages(tag).values())))))
+    return bundle
+
+
+# ------------------------------------------------------------------------- what is sent to a page
+def of_script(script: str, tag: str) -> str:
+    """The messages, as Fluent's text, whose keys stand as strings in a script."""
+    named = {match[1] for match in _KEY.finditer(script)} & entries(ENGLISH).keys()
+    serializer, messages = FluentSerializer(), _messages(tag)
+    return "".join(serializer.serialize_entry(messages[name]) for name in sorted(named))
+
+
+def localized(page: str, tag: str, script: str = "") -> str:
+    """A page in a language.
+
+    Args:
+        page: HTML, in English; ``{say class-title}`` is where a text stands, and ``{words}`` where those do
+            that its script says.
+        tag: the language.
+        script: the page's.
+    """
+    way = languages()[tag].direction if tag in languages() else "ltr"
+    head = f'<html lang="{tag}"' if way == "ltr" else f'<html lang="{tag}" dir="{way}"'
+    words = f'<script type="text/plain" id="words" lang="{tag}" dir="{way}">{of_script(script, tag)}</script>'
+    said = _PLACE.sub(lambda match: html.escape(_text(tag, match[1] + match[2])), page)
+    return said.replace('<html lang="en"', head, 1).replace("{words}", words, 1)

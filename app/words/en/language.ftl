@@ -1,0 +1,3 @@
+# What those who speak this language call it, and the direction of its text: ltr, or rtl from right to left.
+language-name = English
+language-direction = ltr

@@ -1,0 +1,34 @@
+// @ts-check
+/** The page's words in its language: Fluent messages, which the server puts into the page beside its script. */
+import { FluentBundle, FluentResource } from "./fluent/fluent.js";
+
+const own = typeof document === "undefined" ? null : document.getElementById("words");
+/** Words of a program without a page, as in tests. @type {{language: string, direction: string, text: string}} */
+const words = /** @type {any} */ (globalThis).softrodWords || {
+  language: (own && own.lang) || "en",
+  direction: (own && own.dir) || "ltr",
+  text: (own && own.textContent) || "",
+};
+
+/** The tag of the page's language, and the direction of its text. */
+export const language = words.language;
+export const direction = words.direction;
+
+const bundle = new FluentBundle(language, { useIsolating: direction === "rtl" });
+bundle.addResource(new FluentResource(words.text));
+
+/**
+ * A text in the page's language, or its key where it is not there.
+ *
+ * @template {keyof import("./keys.js").Words} K
+ * @param {K} key the message's, or that of one of its attributes, as in "play-step.hint"
+ * @param {import("./keys.js").Words[K] extends never ? [] : [Record<import("./keys.js").Words[K], string | number>]} values
+ *   what stands in its places; whole numbers choose between its plural forms
+ * @returns {string}
+ */
+export function say(key, ...values) {
+  const [name, attribute] = key.split(".");
+  const message = bundle.getMessage(name);
+  const pattern = message && (attribute ? message.attributes[attribute] : message.value);
+  return pattern ? bundle.formatPattern(pattern, values[0] || null, []) : key;
+}

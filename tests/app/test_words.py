@@ -1,0 +1,90 @@
+"""Words: each language says what English does, and a page is sent its own."""
+
+from __future__ import annotations
+
+import ast
+import gzip
+import re
+from pathlib import Path
+
+import pytest
+from websockets.datastructures import Headers
+from websockets.http11 import Request
+
+from app.gate.gate import language_of
+from app.pages.sandbox.assets import page_in
+from app.words import ENGLISH, PSEUDO, choose, language, languages, of_script, say, speaking
+from tests.page.generate import texts
+from tests.words import wrong
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.mark.parametrize("tag", [tag for tag in languages() if tag != ENGLISH])
+def test_the_texts_of_a_language_are_english_ones_with_the_same_places(tag: str) -> None:
+    assert not list(wrong(tag))
+
+
+def test_what_is_said_has_all_that_stands_in_it() -> None:
+    known = texts()
+    for path in sorted((ROOT / "app").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            match node:
+                case ast.Call(ast.Name("say"), [ast.Constant(str(key))], keywords):
+                    given = {each.arg for each in keywords}
+                    assert given == set(known[key]), f"{path}: {ast.unparse(node)}"
+                case _:
+                    pass
+
+
+def test_a_text_is_said_in_the_language_that_is_spoken() -> None:
+    assert language() == ENGLISH
+    with speaking("de"):
+        assert say("language-name") == "Deutsch"
+        with speaking(PSEUDO):
+            assert say("language-name") == "Éñğļîšh···"
+        assert language() == "de"
+    assert say("language-name") == "English"
+
+
+@pytest.mark.parametrize(
+    ("asked", "accepted", "chosen"),
+    [
+        ("de", "en", "de"),
+        ("", "de-CH, en;q=0.5", "de"),
+        ("", "xx, de;q=0.3, en;q=0.9", "en"),
+        ("nonsense", "de", "de"),
+        ("", "de;q=nan, ;;;,=", "en"),
+        ("", "", "en"),
+        (PSEUDO, "de", PSEUDO),
+    ],
+)
+def test_the_language_is_the_one_asked_for_or_the_browser_s(asked: str, accepted: str, chosen: str) -> None:
+    assert choose(asked, accepted) == chosen
+
+
+@pytest.mark.parametrize(
+    ("path", "headers", "chosen"),
+    [
+        ("/?lang=de", {}, "de"),
+        ("/?lang=en", {"Cookie": "softrod-lang=de"}, "en"),
+        ("/", {"Cookie": "a=b; softrod-lang=de", "Accept-Language": "en"}, "de"),
+        ("/", {"Accept-Language": "de"}, "de"),
+        ("/?lang=%00", {}, "en"),
+    ],
+)
+def test_a_request_says_in_which_language(path: str, headers: dict[str, str], chosen: str) -> None:
+    assert language_of(Request(path, Headers(headers))) == chosen
+
+
+def test_a_page_has_the_words_of_its_script_in_its_language_and_no_others() -> None:
+    page = gzip.decompress(page_in("/class", "de").content).decode()
+    assert '<html lang="de">' in page and "JavaScript ist" not in page
+    words = re.search(r'<script type="text/plain" id="words" lang="de" dir="ltr">(.*?)</script>', page, re.S)
+    assert words and "line-away" in words[1] and "class-title" not in words[1]
+    assert "{say" not in page
+
+
+def test_keys_are_found_in_a_script_as_strings() -> None:
+    script = 'const a = say("line-away"), b = {x: "class-title.hint"}, c = "no-such-key";'
+    assert re.findall(r"^[a-z-]+(?= =)", of_script(script, ENGLISH), re.M) == ["class-title", "line-away"]
