@@ -27,6 +27,7 @@ from ..stage.looks import FRACTIONS, SPEEDS
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
+from ..words import element, language, way_of
 from .clip import ClipFrame
 from .picture import webp
 from .window import bounds
@@ -138,9 +139,10 @@ def document(
     held = [
         f'<script type="application/json" id="{id}">{_safe(value)}</script>' for id, value in data.items()
     ]
-    end = "\n".join(held + [f'<script type="module">{script}</script>' for script in scripts])
+    words = filter(None, [element("\n".join(scripts), language())])
+    end = "\n".join([*words, *held] + [f'<script type="module">{script}</script>' for script in scripts])
     text = f"""<!doctype html>
-<html lang="en">
+<html {way_of(language())}>
 <head>
 <meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{policy}">

@@ -189,8 +189,19 @@ def localized(page: str, tag: str, script: str = "") -> str:
         tag: the language.
         script: the page's.
     """
-    way = languages()[tag].direction if tag in languages() else "ltr"
-    head = f'<html lang="{tag}"' if way == "ltr" else f'<html lang="{tag}" dir="{way}"'
-    words = f'<script type="text/plain" id="words" lang="{tag}" dir="{way}">{of_script(script, tag)}</script>'
     said = _PLACE.sub(lambda match: html.escape(_text(tag, match[1] + match[2])), page)
-    return said.replace('<html lang="en"', head, 1).replace("{words}", words, 1)
+    return said.replace('<html lang="en"', f"<html {way_of(tag)}", 1).replace(
+        "{words}", element(script, tag), 1
+    )
+
+
+def way_of(tag: str) -> str:
+    """The attributes of an element whose text is in a language."""
+    way = languages()[tag].direction if tag in languages() else "ltr"
+    return f'lang="{tag}"' if way == "ltr" else f'lang="{tag}" dir="{way}"'
+
+
+def element(script: str, tag: str) -> str:
+    """The element that holds what a page's script says; nothing if it says nothing."""
+    texts = of_script(script, tag)
+    return f'<script type="text/plain" id="words" {way_of(tag)}>{texts}</script>' if texts else ""
