@@ -16,10 +16,11 @@ import msgspec
 
 from ..errors import SceneError, SettingError
 from ..forces.joints import LAWS
+from ..forces.motors import has_motors
 from ..model.system import joint_stiffness
 from ..scene.columns import has_any
 from ..scene.lesson import Lead, Pull, RunMuscle, Step
-from ..scene.parts import Anchor, Beat
+from ..scene.parts import Anchor, Beat, Motor
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Restitution, Wall, Wind
@@ -370,6 +371,10 @@ def _has_waves(scene: Scene) -> bool:
     return moves(scene) and any(part.muscle and part.muscle.wave != "steady" for part in parts)
 
 
+def _has_motors(scene: Scene) -> bool:
+    return moves(scene) and has_motors(scene)
+
+
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
     """Return whether any loop has this filling; recipes have their own settings for it."""
     return lambda scene: (
@@ -438,6 +443,14 @@ _ALL = (
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
     _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_waves),
+    _setting(
+        "motor_torque", "Torque of motors", (1e3, 1e7), largest(Motor, "angular_springs", "motor.torque"),
+        _has_motors, logarithmic=True,
+    ),
+    _setting(
+        "motor_speed", "Speed of motors", (-1000.0, 1000.0), largest(Motor, "angular_springs", "motor.speed"),
+        _has_motors,
+    ),
     _setting(
         "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
     ),
