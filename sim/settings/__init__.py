@@ -14,7 +14,7 @@ from typing import Any, get_args
 
 import msgspec
 
-from ..errors import SceneError, SettingError
+from ..errors import SceneError, SettingError, did_you_mean
 from ..forces.joints import LAWS
 from ..forces.motors import has_motors
 from ..model.system import joint_stiffness
@@ -71,7 +71,8 @@ def setting_of(scene: Scene, key: str) -> Setting:
     if key in CHOICES:
         raise SettingError(f"{key}: this takes a name: {', '.join(CHOICES[key].options)}")
     known = ", ".join(applying) or "none for this scene"
-    raise SettingError(f"{key}: there is no such setting; there are {known}")
+    meant = did_you_mean(key, (*applying, *SETTINGS, *CHOICES))
+    raise SettingError(f"{key}: there is no such setting{meant}; there are {known}")
 
 
 def no_use(key: str, scene: Scene) -> str:
@@ -117,7 +118,9 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     if not choice.applies(scene):
         raise SettingError(no_use(key, scene))
     if value not in choice.options:
-        raise SettingError(f"{key}: {value!r} is not one of {', '.join(choice.options)}")
+        raise SettingError(
+            f"{key}: {value!r} is not one of {', '.join(choice.options)}{did_you_mean(value, choice.options)}"
+        )
     return validate(choice.write(scene, value))
 
 
@@ -168,6 +171,8 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
         except ValueError:
             value = math.nan
         if not equals or not math.isfinite(value):
+            if equals:
+                setting_of(scene, key.strip())  # a name that is unknown is said first
             raise SettingError(f"--set {assignment}: KEY=VALUE with a finite number is expected")
         scene = set_value(scene, key.strip(), value)
     return scene
