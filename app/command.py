@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Annotated
 
 from tyro.conf import UseAppendAction, arg
 
 import sim
+from sim.errors import SceneError
 from sim.settings import CHOICES, SETTINGS, apply_assignments
 
 Settings = Annotated[
@@ -54,7 +56,24 @@ def scene_of(name: str, settings: tuple[str, ...]) -> sim.Scene:
         SceneError: it does not exist, or is not valid.
         SettingError: a setting makes no sense.
     """
-    return apply_assignments(sim.load_scene(name), settings)
+    try:
+        scene = sim.load_scene(name)
+    except SceneError:
+        if _is_log(Path(name)):
+            raise SceneError(
+                f"{name}: this is a log and no scene; `softrod run` and `softrod export` take it by --inputs"
+            ) from None
+        raise
+    return apply_assignments(scene, settings)
+
+
+def _is_log(path: Path) -> bool:
+    from .session.log import is_log
+
+    try:
+        return path.is_file() and is_log(path.read_bytes())
+    except (OSError, ValueError):  # not a possible file name, or not readable
+        return False
 
 
 def fail(reason: object) -> int:

@@ -14,10 +14,9 @@ from tyro.conf import Positional, UseAppendAction, arg
 
 import sim
 from sim.errors import InputError
-from sim.settings import apply_assignments
 from sim.store.files import write_file
 
-from ..command import CsvComma
+from ..command import CsvComma, scene_of
 from ..session.log import read_log
 from .clip import LONGEST, SHORTEST, ClipFrame
 from .formats import FORMATS, Format, Options, Source
@@ -141,8 +140,7 @@ class Export(_Files):
         if self.inputs is None:
             if not self.scene:
                 raise InputError("export: name a scene, or a recorded log with --inputs")
-            scene = apply_assignments(sim.load_scene(self.scene), self.settings)
-            return simulated(scene, seconds, self.after, console, rate)
+            return simulated(scene_of(self.scene, self.settings), seconds, self.after, console, rate)
         record = read_log(self.inputs)
         if self.scene or self.settings or self.after:
             raise InputError("export: a recorded log is shown as it was, without SCENE, --set and --after")

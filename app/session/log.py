@@ -388,11 +388,21 @@ def moment_of(entry: Restore, scene: sim.Scene) -> sim.Moment:
 
 def is_recorded(data: bytes) -> bool:
     """Whether the bytes are a log with a header."""
+    return _first(data).get("format") == FORMAT
+
+
+def is_log(data: bytes) -> bool:
+    """Whether the bytes are a log, with a header or without."""
+    return is_recorded(data) or "do" in _first(data)
+
+
+def _first(data: bytes) -> dict[str, Any]:
+    """Return the object in the first line; an empty one if there is none."""
     try:
         first = msgspec.json.decode(data.lstrip().split(b"\n", 1)[0])
     except (msgspec.DecodeError, RecursionError, UnicodeDecodeError):
-        return False
-    return isinstance(first, dict) and first.get("format") == FORMAT
+        return {}
+    return first if isinstance(first, dict) else {}
 
 
 def read_log(path: Path, scene: sim.Scene | None = None) -> Log:

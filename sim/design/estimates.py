@@ -16,6 +16,8 @@ from .units import within_half_a_turn
 Floats = NDArray[np.float64]
 
 # Unless noted, doubling or halving one of these numbers fails no test.
+UNKNOWN = 1.0
+"""Half-width of an interval of u above which a direction, or a number, counts as unknown."""
 _INVOLVED = 0.1
 """Component along an undetermined direction above which an unknown is reported with it."""
 _ALONE = 0.98
@@ -132,6 +134,8 @@ class Identifiability:
         self._ends = {i: self._between(i) for i in involved if self._is_alone(i)}
         together = self._together([i for i in involved if i not in self._ends])
         self._groups = [each for each in map(self._group, together) if each.known]
+        vague = [i for i, known in enumerate(self.known) if known and self._is_wide(i)]
+        self._ends |= {i: self._between(i) for i in vague}
 
     @property
     def known(self) -> list[bool]:
@@ -144,19 +148,25 @@ class Identifiability:
         bounds = dict(self._ends)
         for group in self._groups:
             bounds |= self._bounds(group)
-        # As an undetermined unknown varies, the known ones vary with it.
-        reached = np.array(self._reached)
-        low, high = reached.min(axis=0), reached.max(axis=0)
-        by = self._wide * np.sqrt((self._spread**2).sum(axis=0))
         found = []
         for i, (p, known) in enumerate(zip(self._parameters, self.known, strict=True)):
-            ends = bounds.get(i) or (p.free(low[i] - by[i]), p.free(high[i] + by[i]))
-            found.append(Estimate(p.name, p.unit, p.value(float(self._u[i])), *ends, known, p.start))
+            low, high = bounds[i] if i in bounds else map(p.free, self._interval(i))
+            found.append(Estimate(p.name, p.unit, p.value(float(self._u[i])), low, high, known, p.start))
         return found
 
     def sentences(self) -> list[str]:
         """Return what the data cannot determine, and what they do tell about it."""
         return [self._alone(i) for i in self._ends] + [self._apart(each) for each in self._groups]
+
+    def _interval(self, i: int) -> tuple[float, float]:
+        """Return the interval of u of a known unknown, which varies as undetermined ones do."""
+        reached = [at[i] for at in self._reached]
+        by = self._wide * math.sqrt(float((self._spread[:, i] ** 2).sum()))
+        return min(reached) - by, max(reached) + by
+
+    def _is_wide(self, i: int) -> bool:
+        low, high = self._interval(i)
+        return high - low > 2.0 * UNKNOWN
 
     def _risen(self, at: Floats, held: Sequence[int]) -> float:
         """Return by how much the sum of squares is larger at other u; record u that the data still allow."""

@@ -7,8 +7,8 @@ of the residuals with respect to u are finite differences of runs.
 
 Correlated residuals count as fewer: with the correlation r of neighbours, n of them count as
 n (1 - r) / (1 + r) (the effective sample size of an autoregressive process of order 1). The singular value
-decomposition J = U S Vᵀ then gives the uncertainty of each direction v of u: 1 / s. The data cannot determine
-directions that are known only to within a factor of about e or worse; `estimates` reports them.
+decomposition J = U S Vᵀ then gives the uncertainty of each direction v of u: 1 / s. The data do not determine
+directions whose interval is wider than a factor of e to both sides; `estimates` reports them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from ..errors import InputError
 from ..scene.types import Scene
 from ..scene.validate import validate
-from .estimates import Estimate, Identifiability, Series, at_ends, autocorrelated
+from .estimates import UNKNOWN, Estimate, Identifiability, Series, at_ends, autocorrelated
 from .measurements import Measurement, read_measurements
 from .residuals import Problem
 
@@ -39,10 +39,6 @@ _CONFIDENCE = 0.95
 # Unless noted, doubling or halving one of these numbers fails no test.
 _STEP = 3e-4
 """Step of u in finite differences."""
-_UNKNOWN = 0.5
-"""Uncertainty of u above which a direction counts as unknown. Doubled,
-`test_a_number_of_which_the_data_say_nothing_is_named_with_what_it_is_at_most` fails; halved,
-`test_a_length_that_is_not_the_scenes_is_told_with_what_gravity_stands_for`."""
 _RANK = 1e-5
 """Slope along a direction, relative to those of the unknowns in it, below which it is the error of finite
 differences."""
@@ -258,14 +254,15 @@ class _Search:
         return np.column_stack(columns)
 
     def _directions(
-        self, u: Floats, residuals: Callable[[Floats], Floats]
+        self, u: Floats, residuals: Callable[[Floats], Floats], wide: float
     ) -> tuple[Floats, Floats, Floats, NDArray[np.bool_]]:
-        """Return the slopes, their singular values and directions, and which of the latter are known."""
+        """Return the slopes, their singular values and directions, and which of the latter are known if an
+        interval has a half-width of `wide` standard deviations."""
         slopes = self._differences(u, residuals)
         _, singular, directions = np.linalg.svd(slopes, full_matrices=False)
         # The error of a difference scales with its own unknown, whose unit may differ greatly from others.
         error = _RANK * np.linalg.norm(directions * np.linalg.norm(slopes, axis=0), axis=1)
-        known = singular > np.maximum(1.0 / _UNKNOWN, error)
+        known = singular > np.maximum(wide / UNKNOWN, error)
         return slopes, singular, directions, known
 
     def _left(self, u: Floats) -> list[Floats]:
@@ -305,18 +302,20 @@ class _Search:
         left = self._left(u)
         shares = [np.array([effective_sample_fraction(row) for row in each]) for each in left]
         noise = [n / np.sqrt(s) for n, s in zip(self._noise, shares, strict=True)]
-        residuals = partial(problem.residuals, noise=noise)
-        slopes, singular, directions, known = self._directions(u, residuals)
-        if not known.all():
-            # What the data cannot determine keeps the scene's values.
-            back = np.clip(u - (u - first) @ directions[~known].T @ directions[~known], self._low, self._high)
-            if float((residuals(back) ** 2).sum()) < float((residuals(u) ** 2).sum()) + _AS_GOOD:
-                u = back
-                slopes, singular, directions, known = self._directions(u, residuals)
         counts = [(~np.isnan(table.measured)).sum(axis=1) for table in problem.tables]
         effective = [c * s for c, s in zip(counts, shares, strict=True)]
         freedom = max(1.0, sum(float(each.sum()) for each in effective) - u.size)
         wide = float(student.ppf(0.5 + 0.5 * _CONFIDENCE, freedom))
+        residuals = partial(problem.residuals, noise=noise)
+        slopes, singular, directions, known = self._directions(u, residuals, wide)
+        best = u
+        for direction in directions[~known][::-1]:
+            # What the data cannot determine keeps the scene's values.
+            back = np.clip(u - (u - first) @ direction * direction, self._low, self._high)
+            if float((residuals(back) ** 2).sum()) < float((residuals(u) ** 2).sum()) + _AS_GOOD:
+                u = back
+        if u is not best:
+            slopes, singular, directions, known = self._directions(u, residuals, wide)
         spread = directions[known] / singular[known, None]
         told = Identifiability(
             problem.parameters, u, spread, directions[~known], wide,

@@ -11,7 +11,7 @@ import msgspec
 
 from ..edit.edit import of_parts
 from ..edit.values import NUMBERS, set_number
-from ..errors import InputError, SettingError
+from ..errors import InputError, SettingError, did_you_mean
 from ..motion.quantities import quantity
 from ..scene.types import Pose, Scene
 from ..settings import set_value, setting_of
@@ -125,7 +125,9 @@ def _of_part(name: str, scene: Scene, duration: float, of: str, index: int, what
     numbers.pop("radius", None)
     if what not in numbers:
         also = ["x", "y", "vx", "vy"] if of == "mass" else []
-        raise InputError(f"vary: {name}: of a {of} there are {', '.join([*numbers, *also])}")
+        there = [*numbers, *also]
+        meant = did_you_mean(what, there)
+        raise InputError(f"vary: {name}: of a {of} there are {', '.join(there)}{meant}")
     parts = getattr(scene, _KINDS[of])
     if index >= len(parts):
         there = f"(0..{len(parts) - 1})" if parts else f"(the scene has no {of}s)"

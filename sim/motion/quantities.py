@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.tables import State
-from ..errors import InputError
+from ..errors import InputError, did_you_mean
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsReference
 from ..forces.springs import SpringsReference
@@ -201,10 +201,14 @@ def _named(name: str, scene: Scene) -> Quantity:
     of, which, what = match.groups() if match else ("", None, "")
     if of not in PARTS:
         parts = ", ".join(f"{part}0" if part in COUNTED else part for part in PARTS)
-        raise InputError(f"{name!r} is not a quantity: it begins with one of {parts}, and then a point")
+        raise InputError(
+            f"{name!r} is not a quantity: it begins with one of {parts}, and then a point"
+            + did_you_mean(of, PARTS)
+        )
     kind = KINDS.get((of, what))
     if kind is None:
-        raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}")
+        meant = did_you_mean(what, PARTS[of])
+        raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}{meant}")
     counted, is_some = of in COUNTED, which is not None and which.startswith("[")
     if of != "body" if is_some else counted == (which is None):
         raise InputError(f"{name!r} is not a quantity: {of} {'needs a' if counted else 'has no'} number")

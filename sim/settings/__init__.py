@@ -14,12 +14,13 @@ from typing import Any, get_args
 
 import msgspec
 
-from ..errors import SceneError, SettingError
+from ..errors import SceneError, SettingError, did_you_mean
 from ..forces.joints import LAWS
+from ..forces.motors import has_motors
 from ..model.system import joint_stiffness
 from ..scene.columns import has_any
 from ..scene.lesson import Lead, Pull, RunMuscle, Step
-from ..scene.parts import Anchor, Beat
+from ..scene.parts import Anchor, Beat, Motor
 from ..scene.recipes.assembly import wrapped
 from ..scene.recipes.recipe import AnyRecipe
 from ..scene.surroundings import Contact, Gas, Ground, Liquid, Medium, Restitution, Wall, Wind
@@ -70,7 +71,8 @@ def setting_of(scene: Scene, key: str) -> Setting:
     if key in CHOICES:
         raise SettingError(f"{key}: this takes a name: {', '.join(CHOICES[key].options)}")
     known = ", ".join(applying) or "none for this scene"
-    raise SettingError(f"{key}: there is no such setting; there are {known}")
+    meant = did_you_mean(key, (*applying, *SETTINGS, *CHOICES))
+    raise SettingError(f"{key}: there is no such setting{meant}; there are {known}")
 
 
 def no_use(key: str, scene: Scene) -> str:
@@ -116,7 +118,9 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     if not choice.applies(scene):
         raise SettingError(no_use(key, scene))
     if value not in choice.options:
-        raise SettingError(f"{key}: {value!r} is not one of {', '.join(choice.options)}")
+        raise SettingError(
+            f"{key}: {value!r} is not one of {', '.join(choice.options)}{did_you_mean(value, choice.options)}"
+        )
     return validate(choice.write(scene, value))
 
 
@@ -167,6 +171,8 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
         except ValueError:
             value = math.nan
         if not equals or not math.isfinite(value):
+            if equals:
+                setting_of(scene, key.strip())  # a name that is unknown is said first
             raise SettingError(f"--set {assignment}: KEY=VALUE with a finite number is expected")
         scene = set_value(scene, key.strip(), value)
     return scene
@@ -370,6 +376,10 @@ def _has_waves(scene: Scene) -> bool:
     return moves(scene) and any(part.muscle and part.muscle.wave != "steady" for part in parts)
 
 
+def _has_motors(scene: Scene) -> bool:
+    return moves(scene) and has_motors(scene)
+
+
 def _has_filling(kind: type) -> Callable[[Scene], bool]:
     """Return whether any loop has this filling; recipes have their own settings for it."""
     return lambda scene: (
@@ -438,6 +448,14 @@ _ALL = (
         lambda scene: _has_joints(scene) and scene.template is not None, integer=True,
     ),
     _setting("tempo", "Tempo", (0.0, 4.0), at(Beat, "beat.frequency"), _has_waves),
+    _setting(
+        "motor_torque", "Torque of motors", (1e3, 1e7), largest(Motor, "angular_springs", "motor.torque"),
+        _has_motors, logarithmic=True,
+    ),
+    _setting(
+        "motor_speed", "Speed of motors", (-1000.0, 1000.0), largest(Motor, "angular_springs", "motor.speed"),
+        _has_motors,
+    ),
     _setting(
         "gravity", "Gravity", (0.0, 5000.0), Access(-1e6, 1e6, "px/s²", _read_gravity, _write_gravity), moves,
     ),

@@ -64,18 +64,24 @@ def largest(kind: type, parts: str, field: str) -> Access:
     ratio to it, and parts without the number have none.
 
     Args:
-        kind: type of the parts; the field may also have others.
+        kind: type of the parts, or of what they have; the field may also have others.
         parts: the field of the scene with the parts.
-        field: the number.
+        field: the number, or its path in a part, as in "motor.torque".
     """
     are_springs = kind in (LinearSpring, AngularSpring)
+    *inner, name = field.split(".")
+
+    def owner(part: Any) -> Any:
+        """Return what has the number in a part; None if nothing has."""
+        found = getattr(part, inner[0]) if inner else part
+        return found if isinstance(found, kind) else None
 
     def values(scene: Scene) -> np.ndarray:
         every = getattr(scene, parts)
         if are_springs:
             found = column(every, field)
         else:
-            numbers = [getattr(part, field) for part in every if isinstance(part, kind)]
+            numbers = [getattr(each, name) for each in map(owner, every) if each is not None]
             found = np.array([x for x in numbers if x is not msgspec.UNSET], float)
         return found[~np.isnan(found)]
 
@@ -90,10 +96,11 @@ def largest(kind: type, parts: str, field: str) -> Access:
             return scaled(scene, parts, field, value, old)
 
         def changed(part: Any) -> Any:
-            number = getattr(part, field) if isinstance(part, kind) else None
-            if number is None or number is msgspec.UNSET:
+            own = owner(part)
+            if own is None or (number := getattr(own, name)) in (None, msgspec.UNSET):
                 return part
-            return msgspec.structs.replace(part, **{field: value * (number / old) if old else value})
+            new = msgspec.structs.replace(own, **{name: value * (number / old) if old else value})
+            return msgspec.structs.replace(part, **{inner[0]: new}) if inner else new
 
         return msgspec.structs.replace(scene, **{parts: tuple(map(changed, getattr(scene, parts)))})
 
@@ -102,7 +109,7 @@ def largest(kind: type, parts: str, field: str) -> Access:
         found = values(scene)
         return found.size > 1 and float(np.ptp(found)) > ROUNDING * float(np.abs(found).max())
 
-    return Access(*number_range(kind, field), read, write, differ)
+    return Access(*number_range(kind, name), read, write, differ)
 
 
 # ------------------------------------------------------------------------- wind

@@ -20,7 +20,7 @@ from typing import Any
 import msgspec
 import platformdirs
 
-from ..errors import InputError, SceneError
+from ..errors import InputError, SceneError, did_you_mean
 from ..scene.numbers import of_python
 from ..scene.sentences import in_words, sentence
 from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
@@ -268,8 +268,10 @@ def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
         candidate = user_folder() / f"{text}.json"
         if candidate.is_file():
             return read_scene(candidate)
-    known = ", ".join(info.name for info in list_scenes())
-    raise SceneError(f"there is no scene called {text!r}; there are {known}")
+    known = [info.name for info in list_scenes()]
+    raise SceneError(
+        f"there is no scene called {text!r}{did_you_mean(text, known)}; there are {', '.join(known)}"
+    )
 
 
 def save_scene(scene: Scene, path: str | os.PathLike[str]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
 from collections.abc import Collection
@@ -15,7 +14,7 @@ from numpy.typing import NDArray
 import sim
 from app.classroom.judge import Meter
 from sim.analysis.swings import swings
-from sim.errors import InputError, SettingError
+from sim.errors import InputError, SettingError, did_you_mean
 from sim.motion.quantities import quantity
 from sim.scene.lesson import Reading
 from sim.settings import scene_of_step
@@ -127,8 +126,8 @@ def parse_goal(text: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:
 
 def _meant(word: str, known: Collection[str]) -> str:
     """Return a message about an unknown word, with the most similar known one."""
-    alike = difflib.get_close_matches(word, known, 1)
-    return f"{word!r} is none of {', '.join(known)}; is {alike[0]!r} meant?" if alike else EXPECTED
+    meant = did_you_mean(word, known)
+    return f"{word!r} is none of {', '.join(known)}{meant}" if meant else EXPECTED
 
 
 def _of_step(text: str, number: str, scene: sim.Scene) -> tuple[Goal, sim.Scene]:

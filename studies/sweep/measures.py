@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 import sim
 from sim.analysis.predictability import GrowthMeter
-from sim.errors import InputError
+from sim.errors import InputError, did_you_mean
 from sim.model.state import rest_lengths
 from sim.scene.columns import column, ends
 
@@ -78,7 +78,8 @@ def parse_measures(names: Sequence[str]) -> tuple[str, ...]:
         raise InputError(f"--measure: name at least one of {', '.join(MEASURES)}")
     for name in names:
         if name not in MEASURES:
-            raise InputError(f"--measure: {name!r} is not one of {', '.join(MEASURES)}")
+            meant = did_you_mean(name, MEASURES)
+            raise InputError(f"--measure: {name!r} is not one of {', '.join(MEASURES)}{meant}")
     return tuple(dict.fromkeys((*names, "survived")))
 
 

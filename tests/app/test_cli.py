@@ -94,6 +94,25 @@ def test_settings_are_applied_and_checked(tmp_path: Path, softrod: Softrod) -> N
         refused(softrod(*words, "--set", assignment), fragment)
 
 
+def test_a_name_that_is_misspelt_is_answered_with_the_most_similar_one(
+    tmp_path: Path, softrod: Softrod
+) -> None:
+    run = ("run", "rope", "--steps", 1, "--out", tmp_path / "o.csv")
+    sweep = ("sweep", "rope", "--out", tmp_path / "s")
+    for words, meant in (
+        (("run", "pendullum"), "pendulum"),
+        ((*run, "--set", "gravty=1"), "gravity"),
+        ((*run, "--set", "metod=rk4"), "method"),
+        ((*run, "--set", "method=rk45"), "rk4"),
+        ((*run, "--record", "enery.total"), "energy"),
+        ((*run, "--record", "energy.totl"), "total"),
+        ((*sweep, "--vary", "gravty=1,2", "--measure", "sag"), "gravity"),
+        ((*sweep, "--vary", "gravity=1,2", "--measure", "sagg"), "sag"),
+    ):
+        refused(softrod(*words), f"(did you mean '{meant}'?)")
+    assert "did you mean" not in softrod(*run, "--set", "qqq=1").stderr
+
+
 def test_a_runaway_keeps_its_good_rows_and_says_why(tmp_path: Path, softrod: Softrod) -> None:
     log, out = tmp_path / "log.jsonl", tmp_path / "o.csv"
     log.write_text('{"do": "move", "mass": 0, "to": [400, 150]}\n')

@@ -314,6 +314,10 @@ def test_the_command_shows_a_recorded_log(tmp_path: Path, softrod: Softrod) -> N
     assert rows[-1, 1:] == pytest.approx(session.simulation.positions.ravel(), abs=1e-3)
     assert "differs" not in made.stderr
     assert softrod("export", "ring", "--inputs", log, "--html", out).returncode == 1
+    by_hand = tmp_path / "drive.log"
+    by_hand.write_text('{"do": "step", "n": 10}\n')
+    for given in (log, by_hand):
+        refused(softrod("export", given, "--html", out), f"{given}: this is a log and no scene; ", "--inputs")
 
 
 # ------------------------------------------------------------------------- the background

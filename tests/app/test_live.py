@@ -404,6 +404,7 @@ def test_sliders_set_what_they_set_in_the_page() -> None:
         "tutorial-3.2": {"template": 90.0},
         "rope": {"tempo": 3.3, "rest_angle": 12.0, "rest_length_scale": 0.9},
         "treadmill": {"belt_speed": -90.0},
+        "crane": {"motor_torque": 2e6, "motor_speed": -50.0},
         "stick-slip": {"static_friction": 0.7, "belt_speed": 25.0, "wall_friction": 0.2},
         "rod": {
             "drag_across": 0.3, "drag_along": 0.1,

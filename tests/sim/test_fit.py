@@ -19,6 +19,7 @@ from sim.design.measurements import Column, Measurement, parse_measurements
 from sim.design.parameters import Parameter
 from sim.design.residuals import Problem
 from sim.scene.parts import Motor
+from sim.scene.surroundings import Wall
 from sim.settings import set_value
 from tests.amount import NIGHT, part_of
 from tests.sim.checks import known, refusal
@@ -459,3 +460,20 @@ def test_both_frictions_of_a_wall_are_found() -> None:
     for name, truth in (("wall_friction", 0.3), ("static_friction", 0.9)):
         each = found.values[name]
         assert each.known and each.low < truth < each.high < 1.02 * each.low, each
+
+
+def test_what_few_independent_numbers_leave_within_a_factor_of_hundreds_is_not_known() -> None:
+    """A block slides in air which the scene lacks: 61 numbers count as one."""
+    wall = Wall(
+        point=(0.0, 0.0), normal=(0.3, -1.0), friction=0.3, static_friction=0.5, tangential_hardness=1e5
+    )  # fmt: skip
+    slide = sim.Scene(
+        name="slide", masses=(sim.Mass(position=(0.0, -1.0), velocity=(900.0, 270.0)),),
+        gravity=(0.0, 1000.0), walls=(wall,),
+    )  # fmt: skip
+    data = measure(replace(slide, air_friction=5e-3), ["mass0.x"], 2.0, 0.003, random())
+    found = sim.fit(slide, data, ["wall_friction", "static_friction"])
+    friction, static = found.values["wall_friction"], found.values["static_friction"]
+    assert not friction.known and friction.low < 0.03 and friction.high > 30.0
+    assert "The data do not tell wall_friction: whatever it is, the fit is as good." in found.sentences
+    assert not static.known and static.value == pytest.approx(0.5)

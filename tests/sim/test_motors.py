@@ -7,13 +7,16 @@ from typing import Any
 
 import numpy as np
 import pytest
+from msgspec import UNSET
 from msgspec.structs import replace
 
 import sim
 from sim import Anchor, AngularSpring, LinearSpring, Mass, Scene
 from sim.scene.parts import Motor
 from sim.scene.types import Integrator, Method
+from sim.settings import SETTINGS, set_value, settings_of
 from sim.store.files import decode_scene, encode_scene
+from tests.sim.builders import PRESETS
 from tests.sim.changes import by
 
 G, ARM = 1000.0, 50.0
@@ -38,6 +41,23 @@ def crank(motor: Motor, weight: float = 1.0, gravity: float = 0.0, **fields: Any
         gravity=(0.0, gravity),
         **fields,
     )
+
+
+def test_scenes_with_motors_have_sliders_of_them() -> None:
+    """The largest is set, and the others keep their ratio to it; joints without a motor have none."""
+    for name in PRESETS:
+        keys = {each.key for each in settings_of(sim.load_scene(name))}
+        assert (len({"motor_torque", "motor_speed"} & keys) == 2) == (name in ("crane", "buggy")), name
+    buggy = set_value(sim.load_scene("buggy"), "motor_speed", -300.0)
+    joints = [replace(joint, motor=replace(joint.motor, torque=k * 1e4) if joint.motor else UNSET)
+              for k, joint in enumerate(buggy.angular_springs)]  # fmt: skip
+    buggy = replace(buggy, angular_springs=tuple(joints))
+    torque = {k: joint.motor.torque for k, joint in enumerate(joints) if joint.motor}
+    assert len(torque) == 2 and SETTINGS["motor_torque"].differs(buggy)
+    halved = set_value(buggy, "motor_torque", 0.5 * max(torque.values()))
+    motors = {k: joint.motor for k, joint in enumerate(halved.angular_springs) if joint.motor}
+    assert {k: motor.torque for k, motor in motors.items()} == {k: 0.5 * each for k, each in torque.items()}
+    assert {motor.speed for motor in motors.values()} == {-300.0}
 
 
 @pytest.mark.parametrize("method", METHODS)

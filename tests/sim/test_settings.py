@@ -132,6 +132,8 @@ def test_values_out_of_range_are_refused(setting: Setting) -> None:
         scene = set_choice(scene, "method", "auto")
     elif setting.key in OF_SURROUNDINGS | OF_STRENGTH:
         scene = with_everything()
+    elif setting.key in ("motor_torque", "motor_speed"):
+        scene = load_scene("crane")
     elif setting.key == "tempo":
         scene = with_muscles(scene, np.random.default_rng(0))
     assert setting.key in keys_of(scene)

@@ -410,10 +410,10 @@ def test_another_seed_goes_another_way(tmp_path: Path, problem: OptimizationProb
 @pytest.mark.parametrize(
     ("goal", "said"),
     [
-        ("mxa energy.kinetic", "'mxa' is none of max, min, near, reach, step; is 'max' meant?"),
+        ("mxa energy.kinetic", "'mxa' is none of max, min, near, reach, step (did you mean 'max'?)"),
         (
             "min smalest energy.kinetic",
-            "'smalest' is none of mean, largest, smallest, period; is 'smallest' meant?",
+            "'smalest' is none of mean, largest, smallest, period (did you mean 'smallest'?)",
         ),
         ("energy.kinetic", '"max QUANTITY", "min QUANTITY"'),
     ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import sim
@@ -19,7 +20,10 @@ LAW = "force_law"
 _BELT, _STATIC = 12, 13
 """Where the script has the speed of a wall, and its coefficient of static friction."""
 
-_SETS: dict[str, tuple[str | int, ...]] = {
+_SPEED, _TORQUE = 1, 2
+"""Where the script has the speed of a motor, and its torque."""
+
+_SETS: dict[str, tuple[str | float, ...]] = {
     "linear_stiffness": ("all", "stiffness"),
     "linear_damping": ("all", "damping"),
     "angular_stiffness": ("all", "jointStiffness"),
@@ -28,6 +32,8 @@ _SETS: dict[str, tuple[str | int, ...]] = {
     "rest_angle": ("turn",),
     "template": ("template",),
     "tempo": ("tempo",),
+    "motor_torque": ("motors", _TORQUE),
+    "motor_speed": ("motors", _SPEED, math.pi / 180.0),
     "gravity": ("gravity",),
     "air_friction": ("field", "airFriction"),
     "wind_speed": ("wind", "speed"),

@@ -196,7 +196,7 @@ export class Body {
     this.sizes = Float64Array.from(data.sizes ?? data.mass.map(() => 0));
     // endif
     // ifdef HAS_MOTORS
-    this.motors = data.motors ?? [];
+    this.motors = (data.motors ?? []).map((motor) => /** @type {Motor} */ ([...motor]));
     /** Whether motors brake as they do at their speeds, where they are stiffest. */
     this.atSpeed = false;
     // endif

@@ -81,6 +81,13 @@ const SETTERS = {
   },
   wind: (body, value, [name]) => blow(body, { [name]: value }),
   gusts: (body, value, _, { value: first }) => blow(body, { gusts: value / Number(first) }),
+  // ifdef HAS_MOTORS
+  motors: (body, value, [at, unit = 1], setting) => {
+    const own = body.data.motors.map((/** @type {number[]} */ motor) => motor[at]);
+    const first = Number(setting.value) * unit;
+    scaled(own, value * unit, { ...setting, value: first }).forEach((to, k) => (body.motors[k][at] = to));
+  },
+  // endif
   walls: (body, value, [at = FRICTION], setting) => {
     const own = body.data.walls.map((/** @type {(number | null)[]} */ wall) => wall[at]);
     scaled(own, value, setting).forEach((to, k) => own[k] !== null && (body.walls[k][at] = to));
