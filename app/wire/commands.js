@@ -75,4 +75,5 @@ export const COMMANDS = {
   body: {"label": "The body by keys", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "Every spring longer, shorter", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "Every rest angle up, down", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},
+  describe: {"label": "Describe the body", "keys": ["d"], "shown": "D", "hint": "in words, also what changed"},
 };
