@@ -1,5 +1,3 @@
-# Dateien, die keinen Server brauchen: eine lebende Datei, eine Wiedergabe, und eine Lektion auf Papier für die Lehrkraft.
-
 live-picture = Das ist ein Bild: Skripte laufen hier nicht. Öffne die Datei in einem Browser, und es bewegt sich.
 live-too-old = Dieser Browser kann die Datei nicht zeigen; ein neuerer kann es.
 live-play = Abspielen
@@ -122,9 +120,9 @@ live-keys-body = zum Körper: dort wählen Pfeile eine Masse, die Leertaste grei
 live-keys-help = diese Hilfe
 
 live-sheet-title = { $lesson }: für die Lehrkraft
-live-sheet-needs = Etwa { $minutes } Minuten. Du brauchst einen Computer mit Beamer, und für jeden oder je zwei ein Handy, ein Tablet oder einen Computer. Beginne mit { $command }; { $next } führt von Phase zu Phase.
+live-sheet-needs = Etwa { $minutes } Minuten. Gebraucht werden ein Computer mit Beamer, und für jeden oder je zwei ein Handy, ein Tablet oder ein Computer. Los geht es mit { $command }; { $next } führt von Phase zu Phase.
 live-sheet-next = Weiter
-live-sheet-how = Fragen: Alle antworten, ohne dass andere es sehen. Verrate nicht, was richtig ist. Bei weniger als 35 % richtigen Antworten erkläre es noch einmal; bei bis zu 70 % lass sie zu zweit darüber reden, und frage noch einmal. Lass es laufen, löse auf, lass alle eine Zeile schreiben, warum; dann probieren sie selbst, und geben ab.
+live-sheet-how = Fragen: Alle antworten verdeckt. Nicht verraten, was richtig ist. Bei weniger als 35 % richtigen Antworten noch einmal erklären; bei bis zu 70 % zu zweit darüber reden lassen, und noch einmal fragen. Laufen lassen, auflösen, alle eine Zeile schreiben lassen, warum; dann probieren sie selbst, und geben ab.
 live-sheet-ask = Fragen
 live-sheet-predict = Vorhersagen
     .text = Alle ziehen den blassen Körper dorthin, wo er nach { $time } s sein wird.

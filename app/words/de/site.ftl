@@ -1,5 +1,3 @@
-# Eine Galerie als Website: ihre Übersicht, und die Leiste jeder Seite.
-
 site-title = Seile und weiche Körper
 site-about = Jedes Bild öffnet einen Körper, der sich bewegt: Ziehe an ihm, biege ihn, ändere seine Zahlen. Er läuft im Browser, und nichts wird irgendwohin gesendet.
 site-own = Eigene Szenen
