@@ -78,7 +78,6 @@ export type Words = {
   "live-work-motors": never;
   "live-work-muscles": never;
   "live-work-forces": never;
-  "live-and": "first" | "last";
   "live-notes": "notes";
   "live-note-verlet": never;
   "live-note-shape": never;

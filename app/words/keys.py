@@ -80,7 +80,6 @@ Key = Literal[
     "live-work-motors",
     "live-work-muscles",
     "live-work-forces",
-    "live-and",
     "live-notes",
     "live-note-verlet",
     "live-note-shape",

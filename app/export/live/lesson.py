@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import msgspec
@@ -16,7 +16,7 @@ from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 
 from ...lessons import goal_text, lesson_code
 from ...session.plots import PlotSpec, parse_plot
-from ...words import say
+from ...words import listed, say
 from .sliders import KEYS, TUTORIAL
 
 MEASURED = frozenset(
@@ -199,9 +199,3 @@ def lesson_notes(scene: sim.Scene) -> list[str]:
     if any(step.collect is not None for step in steps):
         notes.append(say("live-note-runs"))
     return notes
-
-
-def listed(words: Iterable[str]) -> str:
-    """Some words as a part of a sentence."""
-    *first, last = words
-    return say("live-and", first=", ".join(first), last=last) if first else last

@@ -18,14 +18,14 @@ from sim.scene.types import keys_of, shown_name
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
-from ...words import say
+from ...words import listed, say
 from ...words.keys import Key
 from ..body.features import features_of
 from ..body.program import check_forces
 from ..clip import ClipFrame
 from ..html_file import Bar, html_file, icon, packed, plans, said, speed_options, stage
 from .data import body_data
-from .lesson import derived_of, lesson_data, lesson_notes, listed, scenes_of_runs, scenes_of_steps
+from .lesson import derived_of, lesson_data, lesson_notes, scenes_of_runs, scenes_of_steps
 from .sliders import TUTORIAL, missing_labels, sliders
 
 DARK = "[data-dark]*"
@@ -132,9 +132,11 @@ def _worked_by(scene: sim.Scene, key: str) -> str:
         "live-work-forces": scene.masses,
     }
     return listed(
-        say(does)
-        for does, parts in worked.items()
-        if any(part and part.keys and key in part.keys.split("-") for part in parts)
+        [
+            say(does)
+            for does, parts in worked.items()
+            if any(part and part.keys and key in part.keys.split("-") for part in parts)
+        ]
     )
 
 

@@ -31,7 +31,6 @@ live-arrow-right = Rechts: Ruhewinkel größer
 live-work-motors = die Motoren drehen
 live-work-muscles = die Muskeln anspannen
 live-work-forces = Massen schieben
-live-and = { $first } und { $last }
 
 live-notes = In dieser Datei gilt: { $notes }.
 live-note-verlet = der Körper bewegt sich nach dem Velocity-Verlet-Verfahren, ohne Fehlerkontrolle

@@ -37,8 +37,6 @@ live-arrow-right = Right: rest angles more
 live-work-motors = turn the motors
 live-work-muscles = work the muscles
 live-work-forces = push masses
-# The end of a list.
-live-and = { $first } and { $last }
 
 # What the file cannot do: some of the sentences below, with semicolons between them.
 live-notes = In this file { $notes }.

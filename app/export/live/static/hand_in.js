@@ -6,7 +6,7 @@
  */
 import { make, makeButton } from "../../../ui/dialog.js";
 import { download } from "../../../ui/download.js";
-import { say } from "../../../words/words.js";
+import { language, say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
 import { packed } from "./answers.js";
 import { qrCode } from "./qr.js";
@@ -45,7 +45,7 @@ export function addHandIn(sheet, frame, rename) {
     text.textContent = letters;
     const told = { letters: letters.length };
     note.textContent = left.length
-      ? say("live-qr.left", { ...told, left: left.reduce((first, last) => say("live-and", { first, last })) })
+      ? say("live-qr.left", { ...told, left: new Intl.ListFormat(language).format(left) })
       : say("live-qr.text", told);
     paintQr(canvas, qrCode(letters));
   };
