@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +27,7 @@ from sim.edit.lesson import add_step
 from sim.scene.lesson import Goal, Lead, Lesson, Pull, Question, Reading, Step, StepRun
 from sim.scene.parts import Circle
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
-from sim.store.files import built_in_folder, decode_scene, encode_scene
+from sim.store.files import built_in_folder, decode_scene, encode_scene, list_scenes
 from tests.amount import part_of
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
@@ -407,3 +408,13 @@ def test_formulas_in_a_step_are_named_as_they_are_and_read_their_masses() -> Non
     wrong = msgspec.structs.replace(step, plots=("mass0.x + 1",))
     with pytest.raises(sim.InputError, match=r"^lesson\.steps\[0\]\.plots\[0\]: .* cannot be added"):
         check_lesson(with_lesson(wrong))
+
+
+def test_texts_of_presets_name_what_a_finger_can_press_before_a_key() -> None:
+    """Phones have no keys; where there are both, the button comes first."""
+    key = re.compile(r"\b(?<!, or )(?<!, or the )(?:[Pp]ress|[Kk]ey|with) (?:[A-Z]|Space|Esc|Enter|Tab)\b")
+    for info in list_scenes():
+        scene = sim.load_scene(info.name)
+        steps = scene.lesson.steps if scene.lesson is not None else ()
+        for text in (scene.description, *(text for step in steps for text in (step.do, step.watch))):
+            assert not key.search(text), (info.name, text)
