@@ -1,7 +1,7 @@
 // @ts-check
 /** A button at the edge of the view, an arrow towards a body that has left it; it shows the whole scene. */
 import { fit } from "./camera.js";
-import { iconHtml, makeButton } from "../ui/dialog.js";
+import { iconHtml, makeButton, overCanvas } from "../ui/dialog.js";
 
 /** Pixels between the arrow's middle and the edge. */
 const INSET = 34;
@@ -73,7 +73,7 @@ export function addEdgeArrow() {
   button.ariaLabel = "The body is out of view. Show the whole scene";
   button.title = "Show the whole scene (0)";
   button.innerHTML = iconHtml("M5 10v4h8v5l7-7-7-7v5z");
-  document.body.append(button);
+  overCanvas().append(button);
   /** @param {import("./sight.js").Sight} seen */
   return ({ places, box: { left, right, top }, floor: bottom }) => {
     const arrow = edgeArrow(places, { left, right, top, bottom });

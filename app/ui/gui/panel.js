@@ -6,7 +6,7 @@ import { has, onMessage, pageState } from "../../wire/channel.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../kept/storage.js";
 import { foldStrips } from "../strip.js";
-import { iconHtml, make, makeButton } from "../dialog.js";
+import { iconHtml, make, makeButton, overCanvas } from "../dialog.js";
 import { openFinder } from "./finder.js";
 
 const FIND = "M11 4a7 7 0 1 1 0 14a7 7 0 0 1 0-14zM16 16l4.5 4.5";
@@ -71,7 +71,9 @@ class Panel {
   }
 
   begin() {
-    document.body.append(this.over, this.element, this.unfolds);
+    overCanvas().append(this.over);
+    document.body.append(this.element);
+    overCanvas().append(this.unfolds);
     onMessage("pageState", () => {
       this.help.hidden = !has("help");
       this.showOver();
