@@ -63,6 +63,7 @@ export type Words = {
   "live-others": never;
   "live-answers": never;
   "live-step": never;
+  "live-time": never;
   "live-reset": never;
   "live-follow": never;
   "live-follow.hint": never;

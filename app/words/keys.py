@@ -65,6 +65,7 @@ Key = Literal[
     "live-others",
     "live-answers",
     "live-step",
+    "live-time",
     "live-reset",
     "live-follow",
     "live-follow.hint",
