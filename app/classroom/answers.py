@@ -20,6 +20,7 @@ from sim.scene.lesson import Step
 from sim.scene.types import Damage
 
 from ..wire.messages import AnswerKind
+from ..words import say
 
 MAX_LINE_LENGTH = 140
 """Letters of a line that a pupil writes."""
@@ -127,7 +128,7 @@ class Vote(Content, frozen=True):
     def checked(self, scene: sim.Scene, step: Step | None) -> Self:
         """See `Content`."""
         if step is None or step.question is None or not 0 <= self.choice < len(step.question.choices):
-            raise Refused("The question has no such choice.")
+            raise Refused(say("class-refuse-no-choice"))
         return self
 
     def cells(self, step: Step | None) -> Cells | None:
@@ -150,7 +151,7 @@ class Prediction(Content, frozen=True, tag="ghost"):
         asked = step is not None and step.predict is not None and len(self.points) == len(scene.masses)
         # NaN is within no bounds; a file with it could not be read again.
         if not asked or not all(abs(c) <= MAX_COORDINATE for point in self.points for c in point):
-            raise Refused("That is no place for this body.")
+            raise Refused(say("class-refuse-no-such-place"))
         return self
 
 
@@ -169,7 +170,7 @@ class Line(Content, frozen=True):
     def checked(self, scene: sim.Scene, step: Step | None) -> Self:
         """See `Content`."""
         if not (text := sanitize_line(self.text, MAX_LINE_LENGTH)):
-            raise Refused("A line needs a letter.")
+            raise Refused(say("class-refuse-no-letter"))
         return msgspec.structs.replace(self, text=text)
 
     def cells(self, step: Step | None) -> Cells | None:
@@ -203,7 +204,7 @@ class Work(Content, frozen=True):
     @property
     def words(self) -> str:
         """See `Content`."""
-        goal = {None: "", True: "goal reached", False: "goal not reached"}[self.reached]
+        goal = "" if self.reached is None else say("class-at-goal" if self.reached else "class-not-at-goal")
         found = "" if self.found is None else f"{self.found:.4g}"
         return ", ".join(text for text in (found, goal) if text)
 

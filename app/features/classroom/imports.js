@@ -50,7 +50,7 @@ export function imports(changed) {
     codes.reset();
     typed = "";
   };
-  const codes = typedLine("Or the text of their QR codes, from a scanner or pasted ", { spellcheck: false }, ["Take it"], take, "broughtText");
+  const codes = typedLine("Or the text of their QR codes, from a scanner or pasted", { spellcheck: false }, ["Take it"], take, "broughtText");
   const input = /** @type {HTMLInputElement} */ (codes.querySelector("input"));
   input.value = typed;
   input.addEventListener("input", () => (typed = input.value));
