@@ -209,3 +209,33 @@ class-told-at = { $day }. { $month ->
     [11] November
    *[12] Dezember
   } um { $time } Uhr
+
+## Die Leinwand: was alle auf dem Projektor sehen.
+
+class-answered = { $done } von { $all } haben geantwortet
+class-wrote = { $done } von { $all } haben einen Satz geschrieben
+class-handed-in = { $done } von { $all } haben abgegeben
+wall-nobody = Noch niemand da? Netze halten Geräte manchmal voneinander fern: Versuchen Sie den Hotspot dieses Rechners.
+wall-way-in = { $address } öffnen und { $code } eingeben
+wall-scan = Scannen, oder { $address } öffnen und diese Buchstaben eingeben:
+wall-here = { $count ->
+    [one] { $count } ist da
+   *[other] { $count } sind da
+  }
+wall-step = Schritt { $number } von { $steps }
+wall-now = Jetzt: { $runs }
+wall-where = Wo wird es { $seconds } s nach dem Start sein?
+wall-next = Jetzt: Erklärt euren Nachbarn, warum.
+wall-trying = { $count ->
+    [one] probiert
+   *[other] probieren
+  }
+wall-exploded = { $count ->
+   *[other] explodiert
+  }
+wall-untouched = { $count ->
+   *[other] unberührt
+  }
+wall-at-goal = { $count ->
+   *[other] am Ziel
+  }

@@ -233,3 +233,36 @@ class-told-at = { $day } { $month ->
     [11] November
    *[12] December
   }, { $time }
+
+## The wall: what all see on the projector.
+
+# Also on the teacher's desk.
+class-answered = { $done } of { $all } have answered
+class-wrote = { $done } of { $all } have written a line
+class-handed-in = { $done } of { $all } have handed in
+wall-nobody = Nobody yet? Networks may keep devices apart: try this laptop's hotspot.
+wall-way-in = Open { $address } and type { $code }
+# The code stands below, large.
+wall-scan = Scan this, or open { $address } and type
+wall-here = { $count ->
+    [one] { $count } is here
+   *[other] { $count } are here
+  }
+wall-step = Step { $number } of { $steps }
+# Before what is otherwise when it runs.
+wall-now = Now: { $runs }
+wall-where = Where will it be { $seconds } s after the start?
+wall-next = Next: tell your neighbour why.
+# How many bodies do what: the number stands over it, large.
+wall-trying = { $count ->
+   *[other] trying
+  }
+wall-exploded = { $count ->
+   *[other] exploded
+  }
+wall-untouched = { $count ->
+   *[other] untouched
+  }
+wall-at-goal = { $count ->
+   *[other] at the goal
+  }
