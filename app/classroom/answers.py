@@ -10,7 +10,7 @@ from __future__ import annotations
 import enum
 import math
 import unicodedata
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import msgspec
 from msgspec import Meta, Struct
@@ -136,7 +136,7 @@ class Vote(Content, frozen=True):
         question = step.question if step is not None else None
         if question is None:
             return None
-        return "vote", question.choices[self.choice], self.choice == question.answer
+        return say("zip-vote"), question.choices[self.choice], self.choice == question.answer
 
 
 class Prediction(Content, frozen=True, tag="ghost"):
@@ -175,7 +175,32 @@ class Line(Content, frozen=True):
 
     def cells(self, step: Step | None) -> Cells | None:
         """See `Content`."""
-        return "line", self.text, None
+        return say("zip-line"), self.text, None
+
+
+class Doubt(Struct, frozen=True, forbid_unknown_fields=True):
+    """Why a log cannot be a pupil's own run, without the words of a language.
+
+    Attributes:
+        key: of the text.
+        what: stands in its place.
+    """
+
+    key: Literal[
+        "class-doubt-begins",
+        "class-doubt-goes-on",
+        "class-doubt-begins-other",
+        "class-doubt-goes-on-other",
+        "class-doubt-sets",
+        "class-doubt-never",
+        "class-doubt-long",
+    ]
+    what: str = ""
+
+
+def doubt_text(doubt: Doubt | str) -> str:
+    """A doubt in the language that is spoken now; one that is a text already is left as it is."""
+    return doubt if isinstance(doubt, str) else say(doubt.key, what=doubt.what)
 
 
 class Work(Content, frozen=True):
@@ -186,7 +211,8 @@ class Work(Content, frozen=True):
         found: the reading that the step collects; None without one.
         setting: the first number that the step has a slider for: the abscissa of the class's plot.
         reached: whether the step's goal was reached; None without a goal.
-        doubt: why the log cannot be a pupil's own run; empty if it can.
+        doubt: why the log cannot be a pupil's own run, a text where the
+            simulation says why; empty if it can.
         points: final positions of the masses, and
         damage: what had yielded and broken, for a picture; empty if a position was not finite.
     """
@@ -197,7 +223,7 @@ class Work(Content, frozen=True):
     found: float | None = None
     setting: float | None = None
     reached: bool | None = None
-    doubt: str = ""
+    doubt: Doubt | str = ""
     points: tuple[tuple[float, float], ...] = ()
     damage: Damage | None = None
 
@@ -225,7 +251,7 @@ class Work(Content, frozen=True):
 
     def cells(self, step: Step | None) -> Cells | None:
         """See `Content`."""
-        return "handed in", "" if self.found is None else self.found, self.reached
+        return say("zip-work"), "" if self.found is None else self.found, self.reached
 
 
 AnyContent = Vote | Prediction | Line | Work

@@ -239,3 +239,263 @@ wall-untouched = { $count ->
 wall-at-goal = { $count ->
    *[other] am Ziel
   }
+
+## Die Seite der Lehrkraft.
+
+desk-lead = Was zu sagen und zu tun ist
+desk-room = Die Klasse
+desk-over = Die Stunde ist zu Ende
+desk-nothing-kept = Nichts, was abgegeben wurde, bleibt auf diesem Rechner gespeichert.
+
+desk-here = { $count } da
+desk-wall = Leinwand
+desk-controls = Regler
+  .label = Regler meines eigenen Körpers
+desk-not-kept = nicht gespeichert
+desk-saving = wird gespeichert …
+desk-pupils-type = Die Klasse gibt { $address } und { $code } ein.
+desk-more = Mehr
+desk-come-in = Wie die Klasse hereinkommt
+
+desk-lobby = Hereinkommen
+desk-show = Zu mir sehen
+desk-ask = Fragen
+  .again = Noch einmal fragen
+desk-results = Antworten zeigen
+  .again = Antworten noch einmal zeigen
+desk-run = Laufen lassen
+desk-reveal = Auflösen
+desk-explain = In einem Satz erklären
+desk-try = Ausprobieren lassen
+desk-collect = Einsammeln
+desk-step = Schritt { $number }
+desk-steps = Schritt
+desk-phase = Phase { $number } von { $phases }
+desk-minutes = bisher { $minutes } min
+desk-say = Sagen
+desk-do = Tun
+desk-next = Weiter: { $place }
+desk-last = Das war der letzte Schritt.
+desk-back = Zurück
+  .label = Zurück zu: { $place }
+desk-all-phases = Alle Phasen
+
+desk-teach = { $part } % richtig: noch einmal erklären.
+  .some = { $part } % richtig von den { $votes }, die geantwortet haben: noch einmal erklären.
+desk-pairs = { $part } % richtig: zu zweit reden lassen, dann noch einmal fragen.
+  .some = { $part } % richtig von den { $votes }, die geantwortet haben: zu zweit reden lassen, dann noch einmal fragen.
+desk-on = { $part } % richtig: weitergehen.
+  .some = { $part } % richtig von den { $votes }, die geantwortet haben: weitergehen.
+desk-replay = Noch einmal, langsam
+  .now = Langsam, von Anfang an …
+desk-gather = Alle sehen meinen
+desk-pause = Alle anhalten
+desk-reset = Alle zurücksetzen
+desk-give-mine = Allen meinen geben
+  .confirm = Allen Ihren Körper geben, wie er jetzt ist? Was sie haben, ist dann weg.
+desk-law = Gesetz zeigen
+desk-open = Tür öffnen
+desk-close = Tür schließen
+desk-own-names = Namen eingeben lassen
+desk-given-names = Namen vergeben
+desk-sheet = Blatt zum Drucken speichern
+desk-zip = Alles als Zip speichern
+desk-end = Beenden
+  .confirm = Stunde beenden? Alles, was abgegeben wurde, wird gelöscht.
+
+desk-home-until = Hausaufgabe bis { $date }
+  .about = Die Klasse kommt jederzeit herein, auch ohne Sie. Die richtigen Antworten sieht sie dann, oder sobald Sie sie zeigen.
+desk-home-told = Hausaufgabe: Antworten gezeigt
+  .about = Alle sehen die richtigen Antworten. Was jetzt eingeht, gilt als verspätet.
+desk-tell = Richtige Antworten jetzt zeigen
+  .confirm = Allen jetzt die richtigen Antworten zeigen? Was danach eingeht, gilt als verspätet.
+desk-home-step = { $number }. { $title }: { $answered } geantwortet, { $handed } abgegeben
+
+desk-lesson = Lektion
+desk-which-lesson = Welche Lektion?
+desk-lesson-steps = { $count ->
+    [one] Sie hat { $count } Schritt.
+   *[other] Sie hat { $count } Schritte.
+  }
+desk-address = Adresse
+desk-which-network = In welchem Netz ist die Klasse?
+desk-networks = Dieser Rechner ist in mehreren. Die Adressen der Geräte der Klasse beginnen gleich.
+desk-lets-in = Lässt das Netz sie herein?
+desk-scan = Mit einem Handy scannen, das im Netz der Klasse ist, oder { $address } öffnen
+desk-finds-nothing = Wenn ein Handy unter dieser Adresse nichts findet, hält das Netz Geräte voneinander fern: Nutzen Sie den Hotspot dieses Rechners.
+
+desk-tried-in-vain = Ein Gerät: Es kann nicht teilnehmen; es sagt, warum.
+desk-tried = Ein Gerät: in Ordnung, { $ms } ms, { $rate } Bilder in der Sekunde
+desk-tried-doubts = Ein Gerät: geht und sagt, was zu beachten ist, { $ms } ms, { $rate } Bilder in der Sekunde
+desk-projector = Die Leinwandseite auf den Projektor bringen
+desk-open-wall = Leinwandseite öffnen
+desk-way-in = Das zeigt auch die Leinwand, groß: So kommt die Klasse herein.
+
+desk-files = Antworten aus Dateien
+desk-from-files = Von allen, die die Lektion als Datei hatten: Sie gelten als verspätete Antworten, jede einmal.
+desk-lesson-file = Lektion als Datei für sie speichern
+desk-their-files = Ihre Dateien
+desk-codes = Oder der Text ihrer QR-Codes, gescannt oder eingefügt
+desk-take = Übernehmen
+desk-file-too-long = Diese Datei ist zu lang für Antworten zu einer Lektion.
+desk-brought = { $name }: { $count ->
+    [one] 1 Antwort
+   *[other] { $count } Antworten
+  }.
+desk-brought-known = { $name }: { $count ->
+    [one] 1 Antwort
+   *[other] { $count } Antworten
+  }, { $known } davor schon eingelesen.
+desk-brought-goals = { $count ->
+    [one] Laut der Datei selbst ist das Ziel von Schritt { $steps } erreicht.
+   *[other] Laut der Datei selbst sind die Ziele der Schritte { $steps } erreicht.
+  }
+
+desk-count-handed-in = { $count ->
+    [one] hat abgegeben
+   *[other] haben abgegeben
+  }
+desk-count-trying = { $count ->
+    [one] probiert
+   *[other] probieren
+  }
+desk-count-exploded = { $count ->
+    [one] ist explodiert
+   *[other] sind explodiert
+  }
+desk-count-idle = { $count ->
+    [one] hat nichts verändert
+   *[other] haben nichts verändert
+  }
+
+desk-chose = Was gewählt wurde
+  .now = Was bisher gewählt ist
+desk-sealed = nur Sie sehen das
+desk-most = { $count } haben „{ $choice }“ gewählt: Fragen Sie nach, warum.
+desk-predicted = { $count } haben eine Vorhersage gezogen.
+  .some = { $count } von { $all } haben eine Vorhersage gezogen.
+desk-found = Was bisher gefunden ist
+
+desk-who = Wer da ist
+desk-who-away = { $here }; { $away } weg
+desk-nobody = Noch niemand.
+desk-name-two = { $name } (zwei)
+desk-two = zwei
+desk-away = weg
+desk-follows = sieht Ihren
+desk-done = { $done } von { $steps } Schritten
+desk-moving = in Bewegung
+desk-untouched = unberührt
+desk-at-rest = in Ruhe
+desk-paused = angehalten
+desk-exploded = explodiert
+desk-goal-reached = Ziel erreicht
+desk-on-wall = auf der Leinwand
+desk-has-predicted = hat vorhergesagt
+desk-has-answered = hat geantwortet
+desk-hand = meldet sich
+desk-lower-hands = Meldungen löschen
+desk-to-wall = Auf die Leinwand
+desk-off-wall = Von der Leinwand nehmen
+desk-reset-one = Diesen zurücksetzen
+desk-to-all = Zurück zu allen
+desk-move = Auf ein anderes Gerät umziehen
+desk-move-digits = Am anderen Gerät: { $digits }
+desk-move-how = Dort hereinkommen, „Dieser Platz“ wählen und { $digits } eingeben.
+desk-remove = Entfernen
+  .confirm = Den Platz von { $name } schließen? Was dort abgegeben wurde, wird auch gelöscht.
+
+desk-work = Abgegeben: { $count }
+desk-lines = Sätze: { $count }
+desk-predictions = Vorhersagen: { $count }
+desk-gave = Abgegeben: { $what }
+desk-by = { $name }: { $what }
+desk-a-prediction = eine Vorhersage
+desk-a-run = ein Lauf
+desk-late = { $what } (verspätet)
+desk-doubt = { $what }: { $doubt }
+desk-star = Diesen Satz auf der Leinwand zeigen, von { $name }
+desk-show-body = Den Körper von { $name } auf der Leinwand zeigen
+desk-show-prediction = Die Vorhersage von { $name } allein auf der Leinwand zeigen
+
+desk-not-possible = Das ist nicht möglich
+desk-cannot-begin = Dieser Schritt kann nicht beginnen
+desk-no-zip = Das Zip ließ sich nicht erstellen
+desk-no-file = Die Datei der Lektion ließ sich nicht erstellen
+desk-no-sheet = Das Blatt ließ sich nicht erstellen
+desk-the-run = der Lauf
+desk-unkept-title = Die Stunde wird nicht gespeichert
+desk-unkept = { $reason }. Was jetzt abgegeben wird, wartet auf den Seiten der Klasse und ist weg, wenn diese geschlossen werden. Schaffen Sie Platz auf der Festplatte des Rechners, auf dem die Stunde läuft, oder speichern Sie jetzt das Zip.
+desk-kept-title = Die Stunde wird wieder gespeichert
+desk-kept = Alles, was abgegeben wurde, ist auf der Festplatte.
+desk-goes-on-title = Die Stunde geht weiter
+desk-goes-on = Ihr Ordner { $folder } lässt sich nicht löschen: { $reason }.
+class-refuse-no-body = Dieser Platz hat gerade keinen eigenen Körper.
+class-refuse-no-replay = Es gibt keinen Lauf, der noch einmal zu sehen wäre.
+class-refuse-replay-broken = Der Lauf lässt sich nicht noch einmal zeigen: { $reason }.
+class-refuse-classes = Ein Server trägt höchstens { $most } Klassen.
+class-refuse-scenes = Eine Stunde hat höchstens { $most } Schritte; diese Szenen haben { $steps }.
+class-refuse-no-code = Das ist kein Code von Antworten: Er beginnt mit SR1 und hat Buchstaben und Ziffern.
+class-refuse-no-file = Diese Datei enthält keine Antworten zu einer Lektion.
+class-refuse-misread = Der Code ist falsch gelesen worden: Scannen Sie ihn noch einmal.
+class-refuse-other-steps = Diese Antworten gehören zu einer Lektion mit einer anderen Anzahl von Schritten.
+class-refuse-empty = Darin ist noch keine Antwort.
+class-refuse-other-lesson = Diese Antworten gehören zu einer anderen Lektion als der dieser Klasse.
+
+class-doubt-begins = die Aufzeichnung beginnt mit { $what }.
+class-doubt-goes-on = die Aufzeichnung geht weiter mit { $what }.
+class-doubt-begins-other = die Aufzeichnung beginnt mit einer anderen Szene als der des Schritts.
+class-doubt-goes-on-other = die Aufzeichnung geht mit einer anderen Szene als der des Schritts weiter.
+class-doubt-sets = die Aufzeichnung stellt { $what } ein, wofür dieser Schritt keinen Regler hat.
+class-doubt-never = die Aufzeichnung geht von dort weiter, wo der Körper nie war; neu beginnen und diesen Lauf abgeben.
+class-doubt-long = die Aufzeichnung hat mehr als { $what }.
+
+## Das Zip, das die Lehrkraft mitnimmt.
+
+zip-readme = 
+    Was eine Klasse abgegeben hat: { $steps ->
+        [one] 1 Schritt
+       *[other] { $steps } Schritte
+      }, { $seats ->
+        [one] 1 Platz
+       *[other] { $seats } Plätze
+      }.
+
+    answers.csv      Stimmen, Sätze und was abgegeben wurde, je eine Zeile
+    found.csv        was gefunden und was dazu eingestellt war, eine Zeile je Lauf
+    predictions.csv  wo Massen vorhergesagt waren, in den Einheiten der Szene, eine Zeile je Masse
+    scenes/          was die Klasse durchging; `softrod class scenes/*.json` geht es mit einer anderen durch
+    logs/            die abgegebenen Läufe; `softrod run --inputs DATEI` lässt einen noch einmal laufen
+    pictures/        wie die Körper waren, als sie abgegeben wurden
+
+    { $names } Wenn die Stunde beendet ist, bleibt davon nichts auf dem Rechner, auf dem sie lief.
+zip-typed-names = Manche Plätze haben Namen, die von der Klasse eingegeben wurden.
+zip-given-names = Die Plätze haben die Namen, die ihnen zugeteilt wurden.
+
+zip-step = Schritt
+zip-title = Titel
+zip-asked = Frage
+zip-seat = Platz
+zip-name = Name
+zip-pupil = Person
+zip-kind = Art
+zip-answer = Antwort
+zip-right = richtig
+zip-late = verspätet
+zip-starred = Stern
+zip-over = über
+zip-over-unit = Einheit von über
+zip-setting = Einstellung
+zip-what = was
+zip-unit = Einheit
+zip-found = gefunden
+zip-doubt = Zweifel
+zip-mass = Masse
+zip-x = x
+zip-y = y
+
+zip-vote = Stimme
+zip-line = Satz
+zip-work = abgegeben
+zip-yes = ja
+zip-no = nein

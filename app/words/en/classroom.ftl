@@ -266,3 +266,279 @@ wall-untouched = { $count ->
 wall-at-goal = { $count ->
    *[other] at the goal
   }
+
+## The teacher's desk.
+
+# What a screen reader calls its halves.
+desk-lead = What to say and do
+desk-room = The class
+desk-over = The class is over
+desk-nothing-kept = Nothing that was given is kept on this computer.
+
+# How many pupils are.
+desk-here = { $count } here
+desk-wall = Wall
+desk-controls = Controls
+  .label = Controls of my own body
+desk-not-kept = not kept
+desk-saving = saving…
+desk-pupils-type = Pupils type { $address } and { $code }.
+desk-more = More
+desk-come-in = How pupils come in
+
+# On buttons: what the class does next.
+desk-lobby = Come in
+desk-show = Look at me
+desk-ask = Ask
+  .again = Ask again
+desk-results = Show answers
+  .again = Show answers again
+desk-run = Run it
+desk-reveal = Reveal
+desk-explain = Explain in a line
+desk-try = Let them try
+desk-collect = Collect
+desk-step = Step { $number }
+desk-steps = Step
+desk-phase = Phase { $number } of { $phases }
+desk-minutes = { $minutes } min so far
+desk-say = Say
+desk-do = Do
+desk-next = Next: { $place }
+desk-last = That was the last step.
+desk-back = Back
+  .label = Back to: { $place }
+desk-all-phases = All phases
+
+# What the percentage of right answers suggests; some have not answered.
+desk-teach = { $part } % right: teach it once more.
+  .some = { $part } % right of the { $votes } who have answered: teach it once more.
+desk-pairs = { $part } % right: let them talk in pairs, then ask again.
+  .some = { $part } % right of the { $votes } who have answered: let them talk in pairs, then ask again.
+desk-on = { $part } % right: go on.
+  .some = { $part } % right of the { $votes } who have answered: go on.
+desk-replay = Again, slowly
+  .now = Slowly, from the start…
+desk-gather = All look at mine
+desk-pause = Pause all
+desk-reset = Reset all
+desk-give-mine = Give all mine
+  .confirm = Give each one your body as it is now? What they have is gone.
+desk-law = Show the law
+desk-open = Open the door
+desk-close = Close the door
+desk-own-names = Let them type names
+desk-given-names = Names by us
+desk-sheet = Save a sheet to print
+desk-zip = Save all as a zip
+desk-end = End
+  .confirm = End the class? Everything that was given is deleted.
+
+# Homework.
+desk-home-until = Homework until { $date }
+  .about = Pupils come in at any time, without you. They see the right answers then, or as soon as you tell them.
+desk-home-told = Homework: answers told
+  .about = Everybody sees the right answers. What comes in now counts as late.
+desk-tell = Tell the right answers now
+  .confirm = Tell everybody the right answers now? What comes in after that counts as late.
+desk-home-step = { $number }. { $title }: { $answered } answered, { $handed } handed in
+
+# What to look at before the class.
+desk-lesson = Lesson
+desk-which-lesson = Which lesson?
+desk-lesson-steps = { $count ->
+    [one] It has { $count } step.
+   *[other] It has { $count } steps.
+  }
+desk-address = Address
+desk-which-network = In which network are the pupils?
+desk-networks = This computer is in several. The addresses of pupils' devices begin alike.
+desk-lets-in = Does the network let them in?
+desk-scan = Scan this with a phone that is in the pupils' network, or open { $address }
+desk-finds-nothing = If a phone finds nothing at this address, the network keeps devices apart: use this computer's own hotspot.
+
+# A device that has checked whether it can take part.
+desk-tried-in-vain = A device: it cannot take part; it says why.
+desk-tried = A device: all right, { $ms } ms, { $rate } pictures a second
+desk-tried-doubts = A device: works, and says what to mind, { $ms } ms, { $rate } pictures a second
+desk-projector = Put the wall on the projector
+desk-open-wall = Open the wall
+desk-way-in = The wall shows this, too, large: it is the pupils' way in.
+
+# Answers that pupils gave in files.
+desk-files = Answers from files
+desk-from-files = From pupils who had the lesson as a file: they count as late answers, each once.
+desk-lesson-file = Save the lesson as a file for them
+desk-their-files = Their files
+desk-codes = Or the text of their QR codes, from a scanner or pasted
+desk-take = Take it
+desk-file-too-long = That file is too long for answers to a lesson.
+desk-brought = { $name }: { $count ->
+    [one] 1 answer
+   *[other] { $count } answers
+  }.
+desk-brought-known = { $name }: { $count ->
+    [one] 1 answer
+   *[other] { $count } answers
+  }, { $known } had been brought before.
+desk-brought-goals = { $count ->
+    [one] As its own file says, it reached the goal of step { $steps }.
+   *[other] As its own file says, it reached the goal of steps { $steps }.
+  }
+
+# How many do what; the number stands before it.
+desk-count-handed-in = { $count ->
+    [one] has handed in
+   *[other] have handed in
+  }
+desk-count-trying = { $count ->
+    [one] is trying
+   *[other] are trying
+  }
+desk-count-exploded = { $count ->
+    [one] has exploded
+   *[other] have exploded
+  }
+desk-count-idle = { $count ->
+    [one] has changed nothing
+   *[other] have changed nothing
+  }
+
+# The question, and who has chosen what.
+desk-chose = What they chose
+  .now = What they chose so far
+desk-sealed = only you see this
+desk-most = { $count } chose “{ $choice }”: ask one of them why.
+desk-predicted = { $count } dragged a prediction.
+  .some = { $count } of { $all } have dragged a prediction.
+desk-found = What they found so far
+
+# Of a seat, and of its body.
+desk-who = Who is here
+desk-who-away = { $here }; { $away } away
+desk-nobody = Nobody yet.
+desk-name-two = { $name } (two)
+desk-two = two
+desk-away = away
+desk-follows = looks at yours
+desk-done = { $done } of { $steps } steps
+desk-moving = moving
+desk-untouched = untouched
+desk-at-rest = at rest
+desk-paused = paused
+desk-exploded = exploded
+desk-goal-reached = goal reached
+desk-on-wall = on the wall
+desk-has-predicted = has predicted
+desk-has-answered = has answered
+desk-hand = hand is up
+desk-lower-hands = Lower hands
+desk-to-wall = Put on the wall
+desk-off-wall = Take off the wall
+desk-reset-one = Reset this one
+desk-to-all = Back to all
+desk-move = Move to another device
+desk-move-digits = On the other device: { $digits }
+desk-move-how = There, come in, choose “This seat” and type { $digits }.
+desk-remove = Remove
+  .confirm = Close the seat of { $name }? What it gave goes, too.
+
+# Answers.
+desk-work = Handed in: { $count }
+desk-lines = Lines: { $count }
+desk-predictions = Predictions: { $count }
+desk-gave = Gave: { $what }
+desk-by = { $name }: { $what }
+desk-a-prediction = a prediction
+desk-a-run = a run
+desk-late = { $what } (late)
+desk-doubt = { $what }: { $doubt }
+desk-star = Show this line on the wall, by { $name }
+desk-show-body = Show the body of { $name } on the wall
+desk-show-prediction = Show the prediction of { $name } alone on the wall
+
+# What the teacher is told.
+desk-not-possible = That is not possible
+desk-cannot-begin = This step cannot begin
+desk-no-zip = The zip could not be made
+desk-no-file = The lesson's file could not be made
+desk-no-sheet = The sheet could not be made
+desk-the-run = the run
+desk-unkept-title = The class is not being kept
+desk-unkept = { $reason }. What pupils give now waits on their pages, and is gone if those are closed. Make room on the disk of the computer that holds the class, or take the zip home now.
+desk-kept-title = The class is being kept again
+desk-kept = All that was given is on the disk.
+desk-goes-on-title = The class goes on
+desk-goes-on = Its folder { $folder } cannot be deleted: { $reason }.
+class-refuse-no-body = That seat has no body of its own now.
+class-refuse-no-replay = There is no run to see again.
+class-refuse-replay-broken = The run cannot be seen again: { $reason }.
+class-refuse-classes = A server holds { $most } classes at most.
+class-refuse-scenes = A class has { $most } steps at most; these scenes have { $steps }.
+class-refuse-no-code = That is no code of answers: it begins with SR1 and has letters and digits.
+class-refuse-no-file = That file has no answers to a lesson.
+class-refuse-misread = The code was read with a wrong letter: scan it again.
+class-refuse-other-steps = These answers are to a lesson with another number of steps.
+class-refuse-empty = There is no answer in it yet.
+class-refuse-other-lesson = These answers are to another lesson than this class's.
+
+# Why a run that was handed in cannot be the pupil's own.
+class-doubt-begins = the log begins with { $what }.
+class-doubt-goes-on = the log goes on with { $what }.
+class-doubt-begins-other = the log begins with another scene than the step's.
+class-doubt-goes-on-other = the log goes on with another scene than the step's.
+class-doubt-sets = the log sets { $what }, which this step has no slider for.
+class-doubt-never = the log goes on from where the body never was; begin anew and hand in that run.
+class-doubt-long = the log has more than { $what }.
+
+## The zip that a teacher takes home.
+
+zip-readme = 
+    What a class gave: { $steps ->
+        [one] 1 step
+       *[other] { $steps } steps
+      }, { $seats ->
+        [one] 1 seat
+       *[other] { $seats } seats
+      }.
+
+    answers.csv      votes, lines and what was handed in, a row each
+    found.csv        what was found and what it was set to, a row a run
+    predictions.csv  where masses were predicted to be, in the scene's units, a row a mass
+    scenes/          what the class went through; `softrod class scenes/*.json` goes through it with another class
+    logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
+    pictures/        how the bodies were when they were handed in
+
+    { $names } When the class is ended, nothing of this is left on the computer that held it.
+zip-typed-names = Some seats have names that pupils typed.
+zip-given-names = Seats have the names that the class gave out.
+
+# Heads of columns.
+zip-step = step
+zip-title = title
+zip-asked = asked
+zip-seat = seat
+zip-name = name
+zip-pupil = pupil
+zip-kind = kind
+zip-answer = answer
+zip-right = right
+zip-late = late
+zip-starred = starred
+zip-over = over
+zip-over-unit = over unit
+zip-setting = setting
+zip-what = what
+zip-unit = unit
+zip-found = found
+zip-doubt = doubt
+zip-mass = mass
+zip-x = x
+zip-y = y
+
+# Cells.
+zip-vote = vote
+zip-line = line
+zip-work = handed in
+zip-yes = yes
+zip-no = no
