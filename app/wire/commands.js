@@ -71,6 +71,8 @@ export const COMMANDS = {
   gizmos: {"label": "Arrows at held masses", "keys": [], "hint": "to drag them along one axis", "needs": "view"},
   palette: {"label": "Find anything", "keys": ["ctrl k"], "shown": "Ctrl K", "page": true},
   help: {"label": "Help", "keys": [], "needs": "help"},
+  access: {"label": "Access and language", "keys": [], "hint": "language, letters as keys, larger, less motion", "needs": "view", "page": true},
+  describe: {"label": "Describe the body", "keys": ["d"], "shown": "D", "hint": "in words, also what changed"},
   body: {"label": "The body by keys", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "Every spring longer, shorter", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "Every rest angle up, down", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},

@@ -11,13 +11,15 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from babel.lists import format_list
+from babel.numbers import format_decimal
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast, serialize
 from fluent.syntax.serializer import FluentSerializer
@@ -117,6 +119,21 @@ def say(key: Key, **values: str | float) -> str:
     return _text(_now.get(), key, **values)
 
 
+def number(value: float, digits: int = 3) -> str:
+    """A number with some significant digits at most, as the language that is spoken now writes it."""
+    rounded = float(f"{value:.{digits}g}")
+    return format_decimal(rounded, "#0.############", _locale(_now.get()))
+
+
+def listed(items: Sequence[str]) -> str:
+    """Some texts as a list, as in "a, b and c"."""
+    return format_list(list(items), locale=_locale(_now.get()))
+
+
+def _locale(tag: str) -> str:
+    return ENGLISH if tag == PSEUDO else tag
+
+
 def _text(tag: str, key: str, **values: str | float) -> str:
     bundle, (name, _, attribute) = _bundle(tag), key.partition(".")
     message = bundle.get_message(name)
@@ -210,4 +227,6 @@ def way_of(tag: str) -> str:
 def element(script: str, tag: str) -> str:
     """The element that holds what a page's script says; nothing if it says nothing."""
     texts = of_script(script, tag)
-    return f'<script type="text/plain" id="words" {way_of(tag)}>{texts}</script>' if texts else ""
+    tongues = html.escape(";".join(f"{each.tag}={each.name}" for each in languages().values()))
+    opening = f'<script type="text/plain" id="words" {way_of(tag)} data-languages="{tongues}">'
+    return f"{opening}{texts}</script>" if texts else ""

@@ -2,18 +2,24 @@
 /** The page's words in its language: Fluent messages, which the server puts into the page beside its script. */
 import { FluentBundle, FluentResource } from "./fluent/fluent.js";
 
-/** What the page has. @returns {{language: string, direction: string, text: string}} */
-function found() {
-  const own = typeof document === "undefined" ? null : document.getElementById("words");
-  return { language: (own && own.lang) || "en", direction: (own && own.dir) || "ltr", text: (own && own.textContent) || "" };
-}
-
-/** Words of a program without a page, as in tests, or the page's. @type {ReturnType<typeof found>} */
-const words = /** @type {any} */ (globalThis).softrodWords || found();
+const own = typeof document === "undefined" ? null : document.getElementById("words");
+/** Words of a program without a page, as in tests. @type {{language: string, direction: string, text: string}} */
+const words = /** @type {any} */ (globalThis).softrodWords || {
+  language: (own && own.lang) || "en",
+  direction: (own && own.dir) || "ltr",
+  text: (own && own.textContent) || "",
+};
 
 /** The tag of the page's language, and the direction of its text. */
 export const language = words.language;
 export const direction = words.direction;
+
+/** The languages there are, each by what those who speak it call it. */
+export const languages = () =>
+  ((own && own.dataset.languages) || "").split(";").map((each) => {
+    const [tag, name] = each.split("=");
+    return { tag, name };
+  });
 
 const bundle = new FluentBundle(language, { useIsolating: direction === "rtl" });
 bundle.addResource(new FluentResource(words.text));

@@ -11,6 +11,8 @@ from playwright.sync_api import Page
 
 import sim
 from app.export.live.live import live_html
+from app.words import PSEUDO, speaking
+from tests.app.html_pages import held, plain_of
 from tests.browser.conftest import Visits
 from tests.browser.driver import Point, until
 
@@ -253,3 +255,33 @@ def test_a_lesson_runs_what_it_asked_about(visit: Visits, tmp_path: Path) -> Non
     until(page, lambda: page.evaluate(gravity) == 1000.0, "the next step begins as it says")
     page.get_by_role("button", name="Just as long").click()
     until(page, lambda: page.evaluate(hangs) > 360.0, "the mass is let go from far below")
+
+
+SHOWN = """() => [...document.querySelectorAll("body *")]
+  .filter((one) => !one.matches("script, style, noscript *, output, option, code"))
+  .filter((one) => !one.matches(".softrod-close, .softrod-lesson :not(.softrod-line)"))
+  .flatMap((one) => [...[...one.childNodes].filter(({ nodeType }) => nodeType === 3).map(({ data }) => data),
+    ...["aria-label", "title"].map((name) => one.getAttribute(name) ?? "")])"""
+"""What a file shows and says, but for numbers, choices, and what the page's dialogs and lessons show, too."""
+
+
+def test_a_file_says_all_in_its_language(visit: Visits, tmp_path: Path) -> None:
+    path, scene = tmp_path / "lesson.html", sim.load_scene("lesson-hooke")
+    with speaking(PSEUDO):
+        path.write_bytes(live_html(sim.Simulation(scene).capture())[0])
+    page = visit(path.as_uri())
+    until(page, lambda: page.evaluate("Boolean(window.__softrod)"), "the file's script has begun")
+    about = held(path.read_text(encoding="utf-8"), "about")
+    own = {scene.title, scene.description, *(setting["label"] for setting in about["settings"])}
+    shown: list[str] = page.evaluate(SHOWN)
+    page.locator("#answers summary").click()
+    page.get_by_role("button", name="200 px").click()
+    page.locator(".softrod-first").first.click()
+    until(page, lambda: page.evaluate("__softrod.now().body.time > 1"), "it moves")
+    page.keyboard.press("?")
+    shown += page.evaluate(SHOWN)
+    page.evaluate("__softrod.now().clock.advance(1, 500, [], { factor: 1, angle: 0 })")
+    until(page, page.locator("#stopped").is_visible, "it explodes")
+    shown += page.evaluate(SHOWN)
+    assert {text for text in plain_of(shown) if not text.startswith("spring0.elongation")} <= own
+    assert len({text for text in shown if "·" in text}) > 40

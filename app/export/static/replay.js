@@ -14,6 +14,7 @@ import { drivenArrows } from "../../stage/driven_arrows.js";
 import { ARROW, RESTS } from "../../stage/looks.js";
 import { between, readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
 import { sections } from "../../wire/unpack.js";
+import { say } from "../../words/words.js";
 import { paint } from "./paint.js";
 import { element, unpacked } from "./parts.js";
 
@@ -80,7 +81,7 @@ function player(about, motion) {
     clock.value = `${frame.time.toFixed(2)} s`;
     slider.setAttribute("aria-valuetext", clock.value);
     play.dataset.icon = playing ? "pause" : time >= seconds ? "again" : "play";
-    play.ariaLabel = { pause: "Pause", again: "Play again", play: "Play" }[play.dataset.icon] ?? "";
+    play.ariaLabel = say(playing ? "live-pause" : time >= seconds ? "replay-again" : "live-play");
   };
   /** @param {number} now ms */
   const next = (now) => {
@@ -141,6 +142,6 @@ try {
   player(given, readMotion(given, await unpacked(JSON.parse(text))));
 } catch (error) {
   const said = document.querySelector("[role=alert]");
-  if (said) said.textContent = "This browser cannot play the file; a newer one can.";
+  if (said) said.textContent = say("replay-too-old");
   throw error;
 }

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...features.access.feature import AccessFeature
 from ...features.classroom import messages  # noqa: F401  a class's roles receive them
+from ...features.describe.feature import DescribeFeature
 from ...features.edit.feature import EditFeature
 from ...features.files.feature import FilesFeature
 from ...features.fit.feature import FitFeature
@@ -41,7 +43,9 @@ FEATURES: tuple[type[Feature], ...] = (
     MakingFeature,
     EditFeature,
     ViewFeature,
+    AccessFeature,
     ReadingFeature,
+    DescribeFeature,
     HandsFeature,
 )
 
