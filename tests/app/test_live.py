@@ -332,6 +332,12 @@ def test_held_keys_steer_motors_as_in_the_solver() -> None:
     assert ways[0] > ways[1] + 5.0
 
 
+@pytest.mark.parametrize(("name", "has"), [("buggy", True), ("hopper", True), ("worm", False)])
+def test_only_files_of_bodies_with_motors_or_forces_of_keys_draw_them(name: str, has: bool) -> None:
+    data = live_html(sim.Simulation(sim.load_scene(name)).capture())[0].decode()
+    assert ("drivenArrows" in data) == has
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_held_keys_work_muscles_and_forces_as_in_the_solver(method: str) -> None:
     scene = by(sim.load_scene("hopper"), method)

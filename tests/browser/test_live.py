@@ -71,8 +71,29 @@ def test_a_mass_is_dragged_and_the_body_follows(open_file: Open) -> None:
 def test_a_buggy_is_driven(by: str, open_file: Open) -> None:
     page = open_file("buggy")
     x = number(page, "positions[0]")
+    page.evaluate("""() => {
+      window.strokes = {};
+      const { prototype } = CanvasRenderingContext2D, { stroke } = prototype, Path = Path2D;
+      window.Path2D = class extends Path { constructor(d) { super(d); this.d = d; } };
+      prototype.stroke = function (path) {
+        if (path?.d?.includes("A")) strokes[this.globalAlpha] = path.d;
+        return stroke.call(this, path);
+      };
+    }""")
+    until(
+        page, lambda: page.evaluate("Object.keys(strokes).some((alpha) => alpha < 1)"), "pale arcs are drawn"
+    )
+    assert not page.evaluate("strokes[1]"), "none of a motor that rests"
     hold(page, "right", by)
     until(page, lambda: number(page, "positions[0]") > x + 30.0, "it drives to the right")
+    clockwise = page.evaluate("[...strokes[1].matchAll(/A\\S+ \\S+ 0 1 (\\d)/g)].map(([, way]) => way)")
+    assert clockwise == ["1", "1"]
+    page.evaluate("__softrod.now().body.motors.forEach((motor) => (motor[1] *= -1))")
+    until(
+        page,
+        lambda: " 0 1 0 " in page.evaluate("strokes[1]"),
+        "as a slider may have it, they turn the other way",
+    )
     let_go(page, "right")
     until(page, lambda: number(page, "steered[0]") == 0.0, "it is let go")
 

@@ -10,8 +10,6 @@
  * @property {number[]} damages the frame from which on each is valid
  * @typedef {import("./paint.js").Stage & Moving} About what the file says
  */
-import { drivenArrows } from "../../stage/driven_arrows.js";
-import { ARROW, RESTS } from "../../stage/looks.js";
 import { between, readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
 import { sections } from "../../wire/unpack.js";
 import { say } from "../../words/words.js";
@@ -45,20 +43,6 @@ function readMotion(about, data) {
   };
 }
 
-/**
- * Draw what motors and keys do. Live files have none, so it is not a part of `paint`.
- *
- * @param {ReturnType<typeof paint>} over @param {import("./paint.js").Shown} shown
- */
-function strokeDriven({ to, places, on, color }, { plan, frame }) {
-  if (!(plan.motors.length || plan.pushes.length)) return;
-  const { works, rests } = drivenArrows(plan, frame, places, on.step);
-  Object.assign(to, { strokeStyle: color("force"), lineWidth: ARROW, lineCap: "round", lineJoin: "round" });
-  to.stroke(new Path2D(works));
-  to.globalAlpha = RESTS;
-  to.stroke(new Path2D(rests));
-}
-
 /** @param {About} about @param {ReturnType<typeof readMotion>} motion */
 function player(about, motion) {
   const play = element("play", HTMLButtonElement);
@@ -72,7 +56,7 @@ function player(about, motion) {
   const night = matchMedia("(prefers-color-scheme: dark)");
   const draw = () => {
     const shown = motion.at(time, night.matches);
-    strokeDriven(paint(about, canvas, shown), shown);
+    paint(about, canvas, shown);
     return shown.frame;
   };
   const show = () => {

@@ -221,14 +221,22 @@ export class Live {
     }
     // A slider may have set another tempo.
     if (body.muscles) plan.muscles.set([body.muscles.frequency, body.muscles.phase]);
+    // ifdef HAS_MOTORS
+    // Or that motors turn the other way.
+    body.motors.forEach(([, speed], k) => (plan.motors[3 * k + 1] = Math.sign(speed)));
+    // endif
     const predicted = this.course?.run.present.places;
+    /** @type {import("../../../stage/plan.js").Frame} */
     const frame = {
       generation: 0, time: body.time, lengthScale: body.scale, angleShift: body.shift,
       positions: Float32Array.from(body.positions), ghost: predicted ? Float32Array.from(predicted.flat()) : null,
-      // ifdef HAS_EFFORTS
-      efforts: Float32Array.from(body.efforts),
-      // endif
     };
+    // ifdef HAS_STEERING
+    frame.efforts = Float32Array.from(body.steered);
+    // endif
+    // ifdef HAS_EFFORTS
+    frame.efforts = Float32Array.from(body.efforts);
+    // endif
     paint(this.shown, this.canvas, { plan, frame, damage: damageOf(body) });
     this.hands.mark();
     this.panel.show();
