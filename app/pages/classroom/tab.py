@@ -46,7 +46,7 @@ from ...wire.carrier import Mail
 from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
-from ...words import language
+from ...words import language, say
 
 MAX_REQUESTS = 20
 """Requests of one page that are served in a frame."""
@@ -57,9 +57,6 @@ LEAST_FRAME = 1.0 / 30.0
 LOOK_EVERY = 1.0 / 15.0
 """Seconds between two looks at the class for a page without a body of its own: the pictures of a moving body
 reach it at once, see `shared_view`."""
-
-TRY_AGAIN = "Try other values, and press Reset."
-"""What is said of a body that has exploded."""
 
 KEPT_EVERY = 2.0
 """Seconds between two keepsakes of a body."""
@@ -260,7 +257,7 @@ class ClassTab:
         self._send_readings(self._plotted)
         for notice in session.notices:
             # What the limit is, is for the pupil to find out.
-            text = TRY_AGAIN if notice.about == "runaway" else notice.text
+            text = say("seat-try-again") if notice.about == "runaway" else notice.text
             self._mail.send(messages.Remark(title=notice.title, text=text))
         session.notices.clear()
 
