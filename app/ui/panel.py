@@ -13,6 +13,7 @@ from functools import partial
 import viser
 
 from ..stage.colors import palette
+from .commands import text_of
 from .page import Page
 from .viser.handlers import add_command
 
@@ -56,4 +57,4 @@ class Panel:
             keys = " or ".join(row.keys)
             held = ", held" if row.held else ""
             about = f"key {keys}{held}" if keys else None
-            add_command(self._gui, row.label, partial(self._page.perform, name), about)
+            add_command(self._gui, text_of(name), partial(self._page.perform, name), about)

@@ -116,6 +116,16 @@ def say(key: Key, **values: str | float) -> str:
     return _text(_now.get(), key, **values)
 
 
+def find(key: str, otherwise: str = "") -> str:
+    """A text without places, by a key that is made of a name; something else where there is no such text."""
+    name, _, attribute = key.partition(".")
+    entry = _messages(_now.get()).get(name)
+    texts = {each.id.name for each in entry.attributes} if entry else ()
+    return (
+        _text(_now.get(), key) if entry and (attribute in texts if attribute else entry.value) else otherwise
+    )
+
+
 def _text(tag: str, key: str, **values: str | float) -> str:
     bundle, (name, _, attribute) = _bundle(tag), key.partition(".")
     message = bundle.get_message(name)

@@ -29,11 +29,9 @@ class FilesFeature(Feature):
         "file": LongText(needs="files", verb="opened"),
     }
     commands: ClassVar = {
-        "share": Row(
-            "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
-        ),
-        "video": Row("Measure in a video", "page", needs="files"),
-        "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
+        "share": Row("page", needs="files", share=viser.Icon.LINK),
+        "video": Row("page", needs="files"),
+        "picture": Row("page", ("I",)),
     }
     controls: ClassVar = {"files": "the Share tab"}
 

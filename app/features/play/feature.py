@@ -34,12 +34,9 @@ class PlayFeature(Feature):
     """The Play tab of a page, if it has any of its controls."""
 
     commands: ClassVar = {
-        "follow": Row(
-            "Follow the pointer, or stop", _follow, ("F",),
-            "the ringed mass follows the pointer, or stops following",
-        ),
-        "ownBody": Row("The body's own values", commands.RestoreSceneValues("body")),
-    }  # fmt: skip
+        "follow": Row(_follow, ("F",)),
+        "ownBody": Row(commands.RestoreSceneValues("body")),
+    }
     controls: ClassVar = {
         "about": "what the scene shows, in words",
         "follow": "the switch that has the ringed mass follow the pointer",

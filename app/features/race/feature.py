@@ -75,14 +75,9 @@ class RaceFeature(Feature):
 
     texts: ClassVar = {"rival": LongText(needs="chooser", verb="raced against")}
     commands: ClassVar = {
-        "race": Row(
-            "Race against another body", "page", ("A",),
-            "race against another body; in a race, start again",
-            hint="all on this terrain, started together", needs="chooser",
-            share=("Race against …", viser.Icon.FLAG),
-        ),
-        "leaveRace": Row("Leave the race", LeaveRace(), needs="chooser"),
-    }  # fmt: skip
+        "race": Row("page", ("A",), needs="chooser", share=viser.Icon.FLAG),
+        "leaveRace": Row(LeaveRace(), needs="chooser"),
+    }
 
     def __init__(self, page: Page) -> None:
         super().__init__(page)

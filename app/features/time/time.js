@@ -9,6 +9,7 @@ import { iconHtml, make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 import { barOf } from "./span.js";
+import { say } from "../../words/words.js";
 
 /** Three dots: on a phone they show the rest of the bar. */
 const MORE = "M5 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM12 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM19 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6z";
@@ -26,10 +27,13 @@ const CLOCK_EVERY = 100;
  */
 
 /** @param {CommandName} does @returns {Face} */
-const faceOf = (does) => ({ icon: COMMANDS[does].icon ?? "", word: COMMANDS[does].word ?? "", name: COMMANDS[does].label, does });
+function faceOf(does) {
+  const { icon = "", word, label } = COMMANDS[does];
+  return { icon, word: word ? say(word) : "", name: say(label), does };
+}
 
 const FACES = {
-  play: { ...faceOf("play"), word: "Play", name: "Play" },
+  play: { ...faceOf("play"), word: say("command-run"), name: say("command-run") },
   goOn: { ...faceOf("play"), word: "Go on", name: "Go on from here" },
   pause: { ...faceOf("pause"), does: /** @type {const} */ ("play") },
   reset: faceOf("reset"),
@@ -61,7 +65,7 @@ function iconButton(face, press) {
 
 /** @param {CommandName} command */
 const offerButton = (command) =>
-  makeButton(COMMANDS[command].word ?? COMMANDS[command].label, () => perform(command), "softrod-offer");
+  makeButton(say(COMMANDS[command].word ?? COMMANDS[command].label), () => perform(command), "softrod-offer");
 
 /** @type {Record<string, string>} */
 const SPEED_TEXTS = FRACTIONS;

@@ -13,6 +13,7 @@ import { kept, store } from "../../ui/kept/storage.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { isDark } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 /** Key under which the browser's tab stores that the page is dark. */
 const DARK = "softrod-dark";
@@ -69,11 +70,11 @@ class ViewMenu {
       // Return keyboard focus to the canvas, unless the user goes by keys.
       if (byKeys) this.lid.focus();
     }, "");
-    const { label, hint = "", shown: key = "" } = COMMANDS[entry.name];
-    item.append(make("span", "softrod-menu-mark"), make("span", "", label), make("kbd", "", key));
+    const { label, hint, shown: key = "" } = COMMANDS[entry.name];
+    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), make("kbd", "", key));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
-    item.title = hint;
+    item.title = hint ? say(hint) : "";
     this.list.append(item);
     return item;
   }
