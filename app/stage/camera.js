@@ -9,6 +9,7 @@ import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
 import { editing } from "../features/edit/editing.js";
 import { floorOf, placeTransport } from "./dock.js";
+import { isStill } from "../ui/access.js";
 import { viserCamera, viserCanvas } from "../ui/viser/viser.js";
 
 /** Largest size of a view, in that of the scene's frame; a body farther away is left out. */
@@ -291,7 +292,7 @@ function show(view, glides) {
   fits += 1;
   const from = standing;
   standing = to;
-  const lasts = glides && from && !matchMedia("(prefers-reduced-motion: reduce)").matches ? GLIDE : 0;
+  const lasts = glides && from && !isStill() ? GLIDE : 0;
   const begun = performance.now();
   const end = (glidesUntil = lasts ? begun + lasts : 0);
   if (!lasts || !from) {

@@ -13,6 +13,7 @@ import { NODES, toWorld } from "./draw.js";
 import { readDamage, readFrame, readPlan, UNHARMED } from "./plan.js";
 import { callAll, onMessage, receive, sendBy } from "../wire/channel.js";
 import { viser as current } from "../ui/viser/viser.js";
+import { isStill } from "../ui/access.js";
 import { Glide } from "./glide.js";
 
 /** Beginning of the names of the body's nodes. */
@@ -139,7 +140,7 @@ function paint() {
  * @param {Plan} plan @param {Frame} frame @param {import("./plan.js").Damage} [damage]
  */
 function show(at, plan, frame, damage = UNHARMED) {
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const still = isStill();
   const body = { plan, frame, world: toWorld(plan, frame.positions), damage, still };
   for (const [name, { draw, has }] of Object.entries(NODES)) {
     if (nodeOwners.has(at + name) && (has?.(body) ?? true)) fill(at + name, draw(body));

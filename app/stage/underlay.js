@@ -2,6 +2,7 @@
 /**
  * Draws what is behind the body: the grid, a medium, the ground, walls, the reach of contact, fillings of loops, and wind.
  */
+import { isStill } from "../ui/access.js";
 import { moving, standing, streaks } from "./environment.js";
 import { LAYERS } from "./looks.js";
 import { onRender, secondIn, shown } from "./canvas.js";
@@ -62,7 +63,6 @@ class Underlay {
       Object.fromEntries(KINDS.map((kind) => [kind, makeSvg("path", `softrod-${kind}`, this.svg)]))
     );
     this.drawWind = windMark(this.paths.wind);
-    this.still = matchMedia("(prefers-reduced-motion: reduce)");
     /** The view for which the layers that stand were drawn. */
     this.view = "";
   }
@@ -89,7 +89,7 @@ class Underlay {
     for (const other of others) other(seen, this.svg);
     this.show(this.movingOutlines(seen));
     set(this.paths.skin, { "stroke-width": (seen.plan.contact * seen.plan.scale * seen.on.step).toFixed(2) });
-    if (seen.plan.wind.length) this.drawWind(seen, this.still.matches ? 0 : timeNow());
+    if (seen.plan.wind.length) this.drawWind(seen, isStill() ? 0 : timeNow());
     else this.show({ wind: "" });
   }
 
@@ -109,7 +109,7 @@ class Underlay {
 
   /** Draws wind that goes on around a body at rest. */
   drift() {
-    if (pageState().rest && shown().plan?.wind.length && !this.still.matches) this.draw();
+    if (pageState().rest && shown().plan?.wind.length && !isStill()) this.draw();
   }
 }
 

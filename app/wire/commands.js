@@ -73,6 +73,7 @@ export const COMMANDS = {
   gizmos: {"label": "command-gizmos", "hint": "command-gizmos.hint", "keys": [], "needs": "view"},
   palette: {"label": "command-palette", "keys": ["ctrl k"], "shown": "Ctrl K", "page": true},
   help: {"label": "command-help", "keys": [], "needs": "help"},
+  access: {"label": "command-access", "hint": "command-access.hint", "keys": [], "needs": "view", "page": true},
   body: {"label": "command-body", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "command-lengths", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "command-angles", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},

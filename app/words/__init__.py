@@ -214,4 +214,6 @@ def way_of(tag: str) -> str:
 def element(script: str, tag: str) -> str:
     """The element that holds what a page's script says; nothing if it says nothing."""
     texts = of_script(script, tag)
-    return f'<script type="text/plain" id="words" {way_of(tag)}>{texts}</script>' if texts else ""
+    tongues = html.escape(";".join(f"{each.tag}={each.name}" for each in languages().values()))
+    opening = f'<script type="text/plain" id="words" {way_of(tag)} data-languages="{tongues}">'
+    return f"{opening}{texts}</script>" if texts else ""

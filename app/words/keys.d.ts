@@ -1,6 +1,19 @@
 // Made by `uv run python -m tests.page.generate` from app/words/en.
 /** The keys of all texts, and the names of their places. */
 export type Words = {
+  "access-title": never;
+  "access-language": never;
+  "access-language.hint": never;
+  "access-letters": never;
+  "access-letters.hint": never;
+  "access-letters.always": never;
+  "access-letters.body": never;
+  "access-letters.never": never;
+  "access-larger": never;
+  "access-larger.hint": never;
+  "access-still": never;
+  "access-still.hint": never;
+  "access-kept": never;
   "class-title": never;
   "class-needs-javascript": never;
   "class-blocked": never;
@@ -117,6 +130,8 @@ export type Words = {
   "command-palette": never;
   "command-palette.help": never;
   "command-help": never;
+  "command-access": never;
+  "command-access.hint": never;
   "command-body": never;
   "command-body.help": never;
   "command-lengths": never;

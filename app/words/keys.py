@@ -3,6 +3,19 @@
 from typing import Literal
 
 Key = Literal[
+    "access-title",
+    "access-language",
+    "access-language.hint",
+    "access-letters",
+    "access-letters.hint",
+    "access-letters.always",
+    "access-letters.body",
+    "access-letters.never",
+    "access-larger",
+    "access-larger.hint",
+    "access-still",
+    "access-still.hint",
+    "access-kept",
     "class-title",
     "class-needs-javascript",
     "class-blocked",
@@ -119,6 +132,8 @@ Key = Literal[
     "command-palette",
     "command-palette.help",
     "command-help",
+    "command-access",
+    "command-access.hint",
     "command-body",
     "command-body.help",
     "command-lengths",

@@ -15,6 +15,13 @@ const words = given || {
 export const language = words.language;
 export const direction = words.direction;
 
+/** The languages there are, each by what those who speak it call it. */
+export const languages = () =>
+  ((own && own.dataset.languages) || "").split(";").map((each) => {
+    const [tag, name] = each.split("=");
+    return { tag, name };
+  });
+
 const bundle = new FluentBundle(language, { useIsolating: direction === "rtl" });
 bundle.addResource(new FluentResource(words.text));
 

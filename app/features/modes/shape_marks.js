@@ -4,6 +4,7 @@ import { posed } from "./shapes.js";
 import { insertMarksLayer, sight } from "../../stage/sight.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { onScreen } from "../../stage/screen.js";
+import { isStill } from "../../ui/access.js";
 
 /** @typedef {import("./shapes.js").Shapes} Shapes */
 
@@ -15,8 +16,6 @@ const AMPLITUDE = 0.12;
 const MAX_NODES = 240;
 /** Radius of the ring around a node, px. */
 const RING = 4.5;
-
-const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** The marks, which are hidden while no mode is shown. */
 export class ShapeMarks {

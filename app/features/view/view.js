@@ -36,6 +36,7 @@ const ENTRIES = [
   { name: "chase", part: "view", on: isChasing },
   { name: "fit", part: "view" },
   { name: "palette", part: "view" },
+  { name: "access", part: "view" },
   { name: "help", part: "help" },
 ];
 

@@ -13,7 +13,8 @@ import race from "../../features/race/race.js";
 import making from "../../features/making/making.js";
 import edit from "../../features/edit/edit.js";
 import view from "../../features/view/view.js";
+import access from "../../features/access/access.js";
 import reading from "../../features/reading/reading.js";
 import hands from "../../features/hands/hands.js";
 
-export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, reading, hands];
+export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, access, reading, hands];

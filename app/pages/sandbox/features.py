@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...features.access.feature import AccessFeature
 from ...features.classroom import messages  # noqa: F401  a class's roles receive them
 from ...features.edit.feature import EditFeature
 from ...features.files.feature import FilesFeature
@@ -41,6 +42,7 @@ FEATURES: tuple[type[Feature], ...] = (
     MakingFeature,
     EditFeature,
     ViewFeature,
+    AccessFeature,
     ReadingFeature,
     HandsFeature,
 )

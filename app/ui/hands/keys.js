@@ -1,6 +1,7 @@
 // @ts-check
 /** Keys and the arrow pad: what is held, and what is pressed once. */
 import { send } from "../../wire/channel.js";
+import { isMeantElsewhere } from "../access.js";
 import { ARROWS, heldArrow } from "./arrow_keys.js";
 import { listenToPad, releasePad } from "./arrow_pad.js";
 import { commandOf } from "./key_table.js";
@@ -57,16 +58,17 @@ function isTaken({ target, code, key }) {
  *
  * @param {KeyboardEvent} event
  */
-function isSpaceFree({ target, ctrlKey, metaKey, altKey }) {
-  if (ctrlKey || metaKey || altKey || dialogIsOpen() || menuIsOpen()) return false;
+function isSpaceFree(event) {
+  const { target, ctrlKey, metaKey, altKey } = event;
+  if (ctrlKey || metaKey || altKey || dialogIsOpen() || menuIsOpen() || isMeantElsewhere(event)) return false;
   if (!(target instanceof Element)) return true;
   if (target.matches(".softrod-number")) return true; // no number has a space
   if (target.matches(TEXTS)) return false;
   return byPointer || !target.matches(PRESSED);
 }
 /** Whether a key acts on the page, and not on what is typed into, or on a dialog or a menu. @param {KeyboardEvent} event */
-export const isFree = ({ target, ctrlKey, metaKey, altKey }) =>
-  !(ctrlKey || metaKey || altKey || isTyping(target) || dialogIsOpen() || menuIsOpen());
+export const isFree = (event) =>
+  !(event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || dialogIsOpen() || menuIsOpen() || isMeantElsewhere(event));
 const dialogIsOpen = () => document.querySelector('[role="dialog"], dialog[open]') !== null;
 const menuIsOpen = () => document.querySelector('[role="menu"]:not([hidden])') !== null;
 /** Nobody else is to act on it. @param {Event} event */

@@ -1,0 +1,71 @@
+// @ts-check
+/** The page Access of the View menu: a dialog of settings that this device keeps. */
+import { access, apply, setAccess, speak } from "../../ui/access.js";
+import { make, makeDialog } from "../../ui/dialog.js";
+import { isProjector, toggleProjector } from "../../ui/looks.js";
+import { language, languages, say } from "../../words/words.js";
+
+/**
+ * A setting with its name, and below it what it does.
+ *
+ * @param {HTMLElement} control @param {string} name @param {string} hint
+ */
+function row(control, name, hint) {
+  const label = make("label", "softrod-access-row");
+  label.append(make("span", "softrod-access-name", name), control);
+  const about = make("p", "softrod-access-hint", hint);
+  about.id = `softrod-access-${name.replace(/\W/g, "-")}`;
+  control.setAttribute("aria-describedby", about.id);
+  const all = make("div", "");
+  all.append(label, about);
+  return all;
+}
+
+/** @template {string} T @param {[T, string][]} choices @param {T} chosen @param {(value: T) => void} choose */
+function list(choices, chosen, choose) {
+  const select = make("select", "softrod-access-list");
+  for (const [value, text] of choices) {
+    const option = make("option", "", text);
+    option.value = value;
+    option.selected = value === chosen;
+    select.append(option);
+  }
+  select.addEventListener("change", () => choose(/** @type {T} */ (select.value)));
+  return select;
+}
+
+/** @param {boolean} on @param {(on: boolean) => void} turn */
+function toggle(on, turn) {
+  const box = make("input", "");
+  box.type = "checkbox";
+  box.checked = on;
+  box.addEventListener("change", () => turn(box.checked));
+  return box;
+}
+
+function show() {
+  const { dialog, body } = makeDialog(say("access-title"), "softrod-access");
+  const tongues = list(languages().map(({ tag, name }) => [tag, name]), language, speak);
+  for (const option of tongues.options) option.lang = option.value;
+  const letters = list(
+    [
+      ["always", say("access-letters.always")],
+      ["body", say("access-letters.body")],
+      ["never", say("access-letters.never")],
+    ],
+    access().letters,
+    (value) => setAccess({ letters: value }),
+  );
+  body.append(
+    row(tongues, say("access-language"), say("access-language.hint")),
+    row(letters, say("access-letters"), say("access-letters.hint")),
+    row(toggle(isProjector(), toggleProjector), say("access-larger"), say("access-larger.hint")),
+    row(toggle(access().still, (still) => setAccess({ still })), say("access-still"), say("access-still.hint")),
+    make("p", "softrod-access-hint", say("access-kept")),
+  );
+  dialog.addEventListener("close", () => dialog.remove());
+  dialog.showModal();
+}
+
+/** @type {import("../../ui/feature.js").Feature<"access">} */
+export default { commands: { access: show }, begin: apply };

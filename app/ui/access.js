@@ -1,0 +1,76 @@
+// @ts-check
+/** How somebody uses the page: settings on the page Access of the View menu, which this device keeps. */
+import { language } from "../words/words.js";
+
+const NAME = "softrod-access";
+const LANGUAGE = "softrod-lang";
+/** Seconds for which the language is kept. */
+const YEAR = 365 * 24 * 3600;
+
+/**
+ * @typedef {object} Access
+ * @property {"always" | "body" | "never"} letters when letters, digits, signs and Space are commands
+ * @property {boolean} still whether nothing moves by itself, whatever the system says
+ */
+/** @type {Access} */
+export const USUAL = { letters: "always", still: false };
+
+const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
+
+/** What is kept, as far as it can be read. @returns {Access} */
+function read() {
+  try {
+    const { letters, still } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true };
+  } catch {
+    // The browser stores nothing, or somebody has changed it.
+    return USUAL;
+  }
+}
+
+let now = read();
+
+/** The settings. */
+export const access = () => now;
+
+/** Whether nothing is to move by itself. */
+export const isStill = () => now.still || (calm !== null && calm.matches);
+
+/** Keeps other settings, where the browser stores anything. @param {Partial<Access>} changed */
+export function setAccess(changed) {
+  now = { ...now, ...changed };
+  try {
+    localStorage.setItem(NAME, JSON.stringify(now));
+  } catch {
+    // They hold until the page is left.
+  }
+  apply();
+}
+
+/** Shows them where only the style is concerned. */
+export function apply() {
+  document.documentElement.toggleAttribute("data-softrod-still", now.still);
+}
+
+/**
+ * Whether a key is a character that may be meant for something else than the page: typed by mistake, or said to a program
+ * that writes what it hears.
+ *
+ * @param {{key?: string, ctrlKey?: boolean, metaKey?: boolean, target: EventTarget | null}} event of a keyboard
+ */
+export function isMeantElsewhere({ key = "", ctrlKey, metaKey, target }) {
+  if (now.letters === "always" || key.length !== 1 || ctrlKey || metaKey) return false;
+  return now.letters === "never" || !(target instanceof Element && target.matches(".softrod-body"));
+}
+
+/** Speaks another language from now on: the page is loaded anew, and gets its body back. @param {string} tag */
+export function speak(tag) {
+  if (tag === language) return;
+  document.cookie = `${LANGUAGE}=${tag}; path=/; max-age=${YEAR}; samesite=lax`;
+  const address = new URL(location.href);
+  address.searchParams.delete("lang");
+  // A browser that keeps no cookies is asked in the address.
+  if (!document.cookie.includes(`${LANGUAGE}=${tag}`)) address.searchParams.set("lang", tag);
+  if (address.href === location.href) location.reload();
+  else location.replace(address);
+}

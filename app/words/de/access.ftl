@@ -1,0 +1,13 @@
+access-title = Zugang und Sprache
+access-language = Sprache
+    .hint = Die der Seite; Texte von Szenen und Aufgaben bleiben in ihrer. Der Körper bleibt, und alles lässt sich weiter rückgängig machen.
+access-letters = Buchstaben als Tasten
+    .hint = Für alle, die Texte sprechen oder aus Versehen Tasten drücken. Tasten mit Strg, Pfeile und Esc gelten immer.
+    .always = immer
+    .body = solange der Körper den Fokus hat
+    .never = nie
+access-larger = Größer
+    .hint = Alles größer und kräftiger.
+access-still = Weniger Bewegung
+    .hint = Wind, Ansichten und Zeichen bewegen sich nicht von selbst. Der Körper bewegt sich, wenn man ihn abspielt.
+access-kept = Dieses Gerät merkt sich diese Einstellungen.

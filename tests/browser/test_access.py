@@ -1,0 +1,59 @@
+"""The page Access of the View menu: language, and letters that are no keys."""
+
+from __future__ import annotations
+
+from app.session import commands
+from tests.browser.conftest import OpenPage
+from tests.browser.driver import Desk, sandboxes
+
+WORDS = "pack my box with five dozen liquor jugs, 0 or 10. Then go on: quit? "
+
+
+def opened(desk: Desk, entry: str = "Access and language") -> None:
+    """Open the page Access."""
+    desk.view(entry)
+    desk.page.locator("dialog.softrod-access").wait_for()
+
+
+def test_another_language_keeps_the_body_and_what_can_be_undone(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.changed = True
+    desk.tell(commands.SetValue("gravity", 321.0))
+    desk.until(lambda: desk.session.scene.gravity[1] == 321.0, "the body has been changed")
+    desk.until(desk.is_kept, "the page has it")
+    opened(desk)
+    desk.page.locator("dialog.softrod-access select").first.select_option("de")
+    desk.page.wait_for_function("document.documentElement.lang === 'de' && window.__softrod?.fitted() > 0")
+    desk.client = max(sandboxes(desk.served.ticker))
+    desk.until(lambda: desk.session.scene.gravity[1] == 321.0, "the body is there again")
+    assert desk.tab.language == "de"
+    desk.page.keyboard.press("Control+z")
+    desk.until(lambda: desk.session.scene.gravity[1] != 321.0, "what was done before is undone")
+
+
+def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page: OpenPage) -> None:
+    desk = open_page()
+    desk.changed = True
+    opened(desk)
+    letters = desk.page.locator("dialog.softrod-access select").nth(1)
+    letters.select_option("never")
+    desk.page.keyboard.press("Escape")
+    desk.page.evaluate("document.activeElement.blur()")
+    desk.tell(commands.Play(False))
+    desk.rest(2)
+    before = desk.page.evaluate("document.body.innerText"), desk.simulation.time, desk.session.scene
+    desk.page.keyboard.type(WORDS)
+    desk.rest(3)
+    assert (desk.page.evaluate("document.body.innerText"), desk.simulation.time, desk.session.scene) == before
+    # Keys that are no letters go on working, and with the focus on the body letters do if that is wished.
+    opened(desk)
+    letters = desk.page.locator("dialog.softrod-access select").nth(1)
+    letters.select_option("body")
+    desk.page.keyboard.press("Escape")
+    desk.page.evaluate("document.activeElement.blur()")
+    desk.page.keyboard.press("n")
+    desk.rest(2)
+    assert desk.simulation.time == before[1]
+    desk.page.locator(".softrod-body").focus()
+    desk.page.keyboard.press("n")
+    desk.until(lambda: desk.simulation.time > before[1], "a step")
