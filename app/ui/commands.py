@@ -9,15 +9,16 @@ are declared by the features that execute them; `app.pages.sandbox.features` has
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any, Literal
 
 import viser
 
 from ..session import commands
 from ..session.session import Session
-from ..words import find
+from ..words import find, say
 
 Does = commands.Command | Callable[[Session, Any], None] | Literal["page", "edit", "own"]
 """What a command does: a command of the session; a function of the session and of the command's feature,
@@ -79,4 +80,10 @@ def key_lines(table: Mapping[str, Row]) -> list[tuple[str, str]]:
     for name, row in table.items():
         if about := text_of(name, "help"):
             keys.setdefault(about, []).extend(row.keys)
-    return [(" or ".join(names), about) for about, names in keys.items()]
+    return [(keys_text(names), about) for about, names in keys.items()]
+
+
+def keys_text(keys: Sequence[str]) -> str:
+    """Keys that do the same, as the language that is spoken calls them."""
+    names = (" ".join(find(f"key-{part.lower()}", part) for part in key.split(" ")) for key in keys)
+    return reduce(lambda one, other: say("key-or", one=one, other=other), names)

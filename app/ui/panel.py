@@ -13,7 +13,8 @@ from functools import partial
 import viser
 
 from ..stage.colors import palette
-from .commands import text_of
+from ..words import say
+from .commands import keys_text, text_of
 from .page import Page
 from .viser.handlers import add_command
 
@@ -54,7 +55,8 @@ class Panel:
         for name, row in self._page.commands.items():
             if not row.listed or (row.needs and row.needs not in self._page.controls):
                 continue
-            keys = " or ".join(row.keys)
-            held = ", held" if row.held else ""
-            about = f"key {keys}{held}" if keys else None
+            about = None
+            if row.keys:
+                keys = keys_text(row.keys)
+                about = say("key-of.held", keys=keys) if row.held else say("key-of", keys=keys)
             add_command(self._gui, text_of(name), partial(self._page.perform, name), about)

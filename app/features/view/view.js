@@ -5,6 +5,7 @@ import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { iconHtml, make, makeButton } from "../../ui/dialog.js";
+import { keyOf } from "../../ui/hands/key_table.js";
 import { openFinder } from "../../ui/gui/finder.js";
 import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
@@ -71,8 +72,8 @@ class ViewMenu {
       // Return keyboard focus to the canvas, unless the user goes by keys.
       if (byKeys) this.lid.focus();
     }, "");
-    const { label, hint, shown: key = "" } = COMMANDS[entry.name];
-    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), make("kbd", "", key));
+    const { label, hint } = COMMANDS[entry.name];
+    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), make("kbd", "", keyOf(entry.name)));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
     item.title = hint ? say(hint) : "";
