@@ -34,7 +34,7 @@ function faceOf(does) {
 
 const FACES = {
   play: { ...faceOf("play"), word: say("command-run"), name: say("command-run") },
-  goOn: { ...faceOf("play"), word: "Go on", name: "Go on from here" },
+  goOn: { ...faceOf("play"), word: say("time-go-on.word"), name: say("time-go-on") },
   pause: { ...faceOf("pause"), does: /** @type {const} */ ("play") },
   reset: faceOf("reset"),
   second: faceOf("second"),
@@ -75,8 +75,8 @@ const speedText = (speed) => `${SPEED_TEXTS[speed] ?? speed}×`;
 /** The list of speeds. */
 function speedBox() {
   const select = make("select", "");
-  select.ariaLabel = "Speed";
-  select.title = "Simulated seconds per second";
+  select.ariaLabel = say("time-speed");
+  select.title = say("time-speed.hint");
   for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
   select.addEventListener("change", () => {
     send({ do: "speed", speed: Number(select.value) });
@@ -101,7 +101,7 @@ function timeSlider() {
   const slider = make("input", "");
   slider.type = "range";
   slider.step = "any";
-  slider.ariaLabel = "Time shown";
+  slider.ariaLabel = say("time-shown");
   let held = false;
   let asked = false;
   let wanted = 0;
@@ -147,7 +147,7 @@ function timeSlider() {
     slider.max = String(last);
     const comes = now === put.at && performance.now() < put.until && !pageState().playing;
     if (!held && !comes) slider.value = String(bar.position(now));
-    slider.ariaValueText = `${now.toFixed(2)} seconds`;
+    slider.ariaValueText = say("time-shown.said", { seconds: now.toFixed(2) });
   };
   return { element: slider, show };
 }
@@ -161,8 +161,8 @@ function offers() {
     const { offer, future, scrubbed, start = 0 } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
-    const lost = scrubbed && start > 0 ? `Of the time before ${start.toFixed(1)} s too much happened to be kept.` : "";
-    past.textContent = future ? "The thin line is what happened before you went back." : lost;
+    const lost = scrubbed && start > 0 ? say("time-lost", { seconds: start.toFixed(1) }) : "";
+    past.textContent = future ? say("time-past") : lost;
   };
   return { element: line, show };
 }
@@ -171,7 +171,7 @@ function offers() {
 function begin() {
   const bar = make("div", "softrod-transport softrod-floats");
   bar.setAttribute("role", "toolbar");
-  bar.ariaLabel = "Time";
+  bar.ariaLabel = say("time-bar");
   const reset = iconButton(FACES.reset, () => perform("reset"));
   const second = iconButton(FACES.second, () => perform("second"));
   second.classList.add("softrod-second");
@@ -184,7 +184,7 @@ function begin() {
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
   const more = makeButton("", () => (more.ariaExpanded = String(bar.toggleAttribute("data-more"))), "softrod-more");
   more.innerHTML = iconHtml(MORE);
-  more.ariaLabel = more.title = "More of time";
+  more.ariaLabel = more.title = say("time-bar.more");
   more.ariaExpanded = "false";
   bar.append(reset, second, back, play, forward, time.element, clock, speed.element, more);
   const dock = make("div", "softrod-dock");

@@ -10,6 +10,7 @@ from ...ui import readouts
 from ...ui.commands import Row, key_lines
 from ...ui.feature import Feature
 from ...ui.viser.handlers import on_press
+from ...words import say
 
 
 def _toggle(look: Literal["dark", "gizmos", "meter"]) -> Callable[[Session, Feature], None]:
@@ -18,9 +19,9 @@ def _toggle(look: Literal["dark", "gizmos", "meter"]) -> Callable[[Session, Feat
 
 def _show_help(_: Session, feature: Feature) -> None:
     gui = feature.page.client.gui
-    with gui.add_modal("How to use softrod") as modal:
+    with gui.add_modal(say("view-help")) as modal:
         gui.add_html(readouts.help_html(key_lines(feature.page.commands)))
-        on_press(gui.add_button("Close"), modal.close)
+        on_press(gui.add_button(say("ui-close")), modal.close)
 
 
 class ViewFeature(Feature):

@@ -48,12 +48,12 @@ class ViewMenu {
     this.list = make("div", "softrod-menu-list softrod-floats");
     this.list.id = "softrod-menu-list";
     this.list.setAttribute("role", "menu");
-    this.list.ariaLabel = "View";
+    this.list.ariaLabel = say("view-menu");
     this.list.hidden = true;
     this.lid = makeButton("", () => this.open(this.list.hidden === true), "softrod-menu-lid softrod-floats");
-    this.lid.innerHTML = iconHtml(ICON, "View");
-    this.lid.ariaLabel = "View";
-    this.lid.title = "View: dark, projector, help and more";
+    this.lid.innerHTML = iconHtml(ICON, say("view-menu"));
+    this.lid.ariaLabel = say("view-menu");
+    this.lid.title = say("view-menu.hint");
     this.lid.ariaHasPopup = "menu";
     this.lid.ariaExpanded = "false";
     this.lid.setAttribute("aria-controls", this.list.id);

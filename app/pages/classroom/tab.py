@@ -46,7 +46,7 @@ from ...wire.carrier import Mail
 from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
-from ...words import language
+from ...words import language, say
 
 MAX_REQUESTS = 20
 """Requests of one page that are served in a frame."""
@@ -188,7 +188,7 @@ class ClassTab:
 
     def stop(self) -> None:
         """See `Ticked`."""
-        title, text = STOPPED
+        title, text = map(say, STOPPED)
         self._mail.send(messages.Remark(title=title, text=text))
         self.flush()
 

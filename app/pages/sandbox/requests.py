@@ -10,7 +10,7 @@ from ...session.notices import Notice
 from ...ui.feature import Feature
 from ...ui.kept import keeping
 from ...ui.page import Page
-from ...ui.queues import TOO_MUCH, SerialQueue
+from ...ui.queues import SerialQueue, too_much
 from ...wire import from_page
 from ...wire.to_page import Resumed
 
@@ -63,7 +63,7 @@ class RequestHandler:
         if letters is None:
             if sum(text.size for text in self.unfinished) > MAX_UNFINISHED:
                 self._chunks.clear()
-                self._page.notify(TOO_MUCH)
+                self._page.notify(too_much())
             return
         if (reader := self._readers.get(part.kind)) is not None:
             needs = reader.texts[part.kind].needs

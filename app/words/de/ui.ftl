@@ -72,3 +72,23 @@ ui-broken = { $count ->
     [one] { $count } Feder gebrochen
    *[other] { $count } Federn gebrochen
 }
+
+ui-too-much = Zu viel auf einmal
+    .text = Die letzten Anfragen wurden nicht beachtet. Versuche es gleich noch einmal.
+ui-stopped = Diese Seite ist angehalten
+    .text = Auf dem Server gab es einen Fehler. Lade die Seite neu, um weiterzumachen.
+ui-undo-afresh = Rückgängig beginnt von vorn
+    .text = Was vor dem Verbindungsverlust geändert wurde, lässt sich nicht mehr rückgängig machen.
+ui-commas = Dezimalkommas
+    .hint = gespeicherte Tabellen haben 0,5 statt 0.5 und Strichpunkte zwischen den Spalten
+
+ui-no-preset = es gibt keine Vorlage namens { $name }; wähle eine in der Galerie
+ui-no-user = die Seite hat nicht gesagt, wessen sie ist; lade sie neu und versuche es noch einmal
+ui-no-room = du hast hier { $count } Szenen, mehr gehen nicht; lösche zuerst einige
+    .computer = auf diesem Rechner ist kein Platz für mehr Szenen von Gästen; lade sie als Datei herunter
+
+ui-tab-play = Spielen
+ui-tab-measure = Messen
+ui-tab-solver = Löser
+ui-tab-share = Teilen
+ui-tab-lesson = Lektion

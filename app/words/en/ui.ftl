@@ -93,3 +93,26 @@ ui-broken = { $count ->
     [one] { $count } spring broken
    *[other] { $count } springs broken
 }
+
+# Titles and texts of notices.
+ui-too-much = Too much at once
+    .text = The last requests were ignored. Try again in a moment.
+ui-stopped = This page has stopped
+    .text = There was an error on the server. Reload the page to go on.
+ui-undo-afresh = Undo starts afresh
+    .text = What was changed before the connection was lost can no longer be undone.
+ui-commas = Decimal commas
+    .hint = tables that are saved have 0,5 for 0.5, and semicolons between the columns
+
+# Why a scene is not there or not saved; below a title.
+ui-no-preset = there is no preset called { $name }; choose one in the gallery
+ui-no-user = the page has not identified its user; reload it and try again
+ui-no-room = you have { $count } scenes here, the maximum; delete some first
+    .computer = this computer has no room for more scenes of visitors; download it as a file
+
+# The tabs of the panel.
+ui-tab-play = Play
+ui-tab-measure = Measure
+ui-tab-solver = Solver
+ui-tab-share = Share
+ui-tab-lesson = Lesson
