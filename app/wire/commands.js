@@ -77,4 +77,5 @@ export const COMMANDS = {
   body: {"label": "command-body", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "command-lengths", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "command-angles", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},
+  describe: {"label": "command-describe", "hint": "command-describe.hint", "keys": ["d"], "shown": "D"},
 };

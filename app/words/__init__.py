@@ -11,13 +11,15 @@ from __future__ import annotations
 
 import html
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from babel.lists import format_list
+from babel.numbers import format_decimal
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast, serialize
 from fluent.syntax.serializer import FluentSerializer
@@ -120,10 +122,25 @@ def find(key: str, otherwise: str = "") -> str:
     """A text without places, by a key that is made of a name; something else where there is no such text."""
     name, _, attribute = key.partition(".")
     entry = _messages(_now.get()).get(name)
-    texts = {each.id.name for each in entry.attributes} if entry else ()
-    return (
-        _text(_now.get(), key) if entry and (attribute in texts if attribute else entry.value) else otherwise
-    )
+    there = entry.value is not None if entry else False
+    if entry and attribute:
+        there = any(each.id.name == attribute for each in entry.attributes)
+    return _text(_now.get(), key) if there else otherwise
+
+
+def number(value: float, digits: int = 3) -> str:
+    """A number with some significant digits at most, as the language that is spoken now writes it."""
+    rounded = float(f"{value:.{digits}g}")
+    return format_decimal(rounded, "#0.############", _locale(_now.get()))
+
+
+def listed(items: Sequence[str]) -> str:
+    """Some texts as a list, as in "a, b and c"."""
+    return format_list(list(items), locale=_locale(_now.get()))
+
+
+def _locale(tag: str) -> str:
+    return ENGLISH if tag == PSEUDO else tag
 
 
 def _text(tag: str, key: str, **values: str | float) -> str:

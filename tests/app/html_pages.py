@@ -42,7 +42,7 @@ class Page(html.parser.HTMLParser):
         self.addresses += [value or "" for name, value in attrs if name in ("src", "href")]
         if told.get("http-equiv") == "Content-Security-Policy":
             self.policy = told["content"] or ""
-        kind = "data" if told.get("type") == "application/json" else tag
+        kind = "data" if told.get("type") in ("application/json", "text/plain") else tag
         if kind in self.parts:
             self.parts[kind].append("")
         self._open.append(kind)

@@ -57,3 +57,18 @@ def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page:
     desk.page.locator(".softrod-body").focus()
     desk.page.keyboard.press("n")
     desk.until(lambda: desk.simulation.time > before[1], "a step")
+
+
+def test_the_body_is_described_at_a_key_for_eyes_and_ears(open_page: OpenPage) -> None:
+    desk = open_page("rope")
+    desk.tell(commands.Play(False))
+    desk.page.keyboard.press("d")
+    card = desk.page.locator(".softrod-described")
+    card.wait_for()
+    first = card.locator("p").inner_text()
+    assert first.startswith("A chain of 12 masses, with 11 springs and 10 joints.")
+    assert desk.page.locator(".softrod-tell").filter(has_text=first).count() == 1
+    desk.page.keyboard.press("d")
+    desk.until(lambda: "Nothing has changed since." in card.inner_text(), "it says what has changed")
+    desk.page.keyboard.press("Escape")
+    desk.until(lambda: not card.is_visible(), "Esc closes it")

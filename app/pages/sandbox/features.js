@@ -16,5 +16,6 @@ import view from "../../features/view/view.js";
 import access from "../../features/access/access.js";
 import reading from "../../features/reading/reading.js";
 import hands from "../../features/hands/hands.js";
+import describe from "../../features/describe/describe.js";
 
-export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, access, reading, hands];
+export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, access, reading, hands, describe];

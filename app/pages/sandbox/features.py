@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from ...features.access.feature import AccessFeature
 from ...features.classroom import messages  # noqa: F401  a class's roles receive them
+from ...features.describe.feature import DescribeFeature
 from ...features.edit.feature import EditFeature
 from ...features.files.feature import FilesFeature
 from ...features.fit.feature import FitFeature
@@ -45,6 +46,7 @@ FEATURES: tuple[type[Feature], ...] = (
     AccessFeature,
     ReadingFeature,
     HandsFeature,
+    DescribeFeature,
 )
 
 COMMANDS: Mapping[str, Row] = {name: row for feature in FEATURES for name, row in feature.commands.items()}

@@ -1,0 +1,34 @@
+// @ts-check
+/** The description of the body: a card over the canvas, which a screen reader reads. Esc closes it. */
+import { onMessage } from "../../wire/channel.js";
+import { make, makeButton } from "../../ui/dialog.js";
+import { isFree, swallow } from "../../ui/hands/keys.js";
+import { say } from "../../words/words.js";
+
+function begin() {
+  const card = make("section", "softrod-described softrod-floats");
+  card.ariaLabel = say("describe-title");
+  card.hidden = true;
+  const text = make("p", "");
+  const close = makeButton("×", () => (card.hidden = true), "softrod-close");
+  close.ariaLabel = say("describe-close");
+  card.append(text, close);
+  // The card is hidden while it is closed, and what is hidden is not read.
+  const spoken = make("div", "softrod-tell");
+  spoken.setAttribute("role", "status");
+  document.body.append(card, spoken);
+  onMessage("described", (told) => {
+    text.textContent = told.text;
+    // The same words again would not be read.
+    spoken.textContent = spoken.textContent === told.text ? `${told.text}\u00a0` : told.text;
+    card.hidden = false;
+  });
+  window.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || card.hidden || !isFree(event)) return;
+    card.hidden = true;
+    swallow(event);
+  }, true);
+}
+
+/** @type {import("../../ui/feature.js").Feature<"describe">} */
+export default { commands: {}, begin };

@@ -1,0 +1,186 @@
+"""The description of a body as a paragraph, in the language that is spoken now."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sim.analysis.description import Description, Piece, direction
+from sim.analysis.modes import Modes
+from sim.errors import InputError, SceneError
+from sim.scene.types import Scene
+
+from ...words import Key, listed, number, say
+
+MOST_SWINGING = 300
+"""Masses of a body whose slowest vibration is sought, at most: it takes a moment."""
+
+_MANY = 6
+"""Held masses that are listed, at most."""
+_UNHEARD = 0.01
+"""Part of the box by which something must have moved to be said."""
+_SLOW = 0.5
+"""Degrees a second from which a body turns."""
+_LASTING = 0.005
+"""Part of a swing that is lost, below which it is next to nothing."""
+
+_WAYS = ("right", "upRight", "up", "upLeft", "left", "downLeft", "down", "downRight")
+_SHAPES: dict[str, Key] = {
+    "mass": "describe-mass",
+    "chain": "describe-chain",
+    "ring": "describe-ring",
+    "tree": "describe-tree",
+    "net": "describe-net",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """The slowest vibration of a body about its rest.
+
+    Attributes:
+        period: s, of a damped swing.
+        lost: part of its amplitude that it loses in one.
+    """
+
+    period: float
+    lost: float
+
+
+def swing_of(found: Description, scene: Scene) -> Swing | None:
+    """Find how a body of one piece swings; None where it does not, or where that takes too long to find."""
+    if len(found.pieces) > 1 or not 1 < len(scene.masses) <= MOST_SWINGING:
+        return None
+    try:
+        modes = Modes(scene, 1)
+    except (InputError, SceneError):
+        return None
+    if not modes.omega.size:
+        return None
+    ratio = float(modes.damping_ratios[0])
+    if not ratio < 1.0:
+        return None
+    damped = math.sqrt(1.0 - ratio * ratio)
+    return Swing(math.tau / (float(modes.omega[0]) * damped), 1.0 - math.exp(-math.tau * ratio / damped))
+
+
+def paragraph(
+    found: Description, scene: Scene, swing: Swing | None = None, before: Description | None = None
+) -> str:
+    """The sentences about a body.
+
+    Args:
+        found: what it is like.
+        scene: its scene.
+        swing: how it swings about its rest, if that is known.
+        before: what it was like when it was described last.
+    """
+    return " ".join(_sentences(found, scene, swing, before))
+
+
+def _sentences(
+    found: Description, scene: Scene, swing: Swing | None, before: Description | None
+) -> Iterator[str]:
+    unit, up = scene.view.unit, -1.0 if scene.view.y_down else 1.0
+    left, bottom, right, top = found.box
+    yield from _pieces(found.pieces)
+    yield from _held(found.pieces)
+    if len(scene.masses) > 1:
+        yield say(
+            "describe-lies", width=f"{number(right - left)} {unit}", height=f"{number(top - bottom)} {unit}"
+        )
+    if found.hangs is not None and found.hangs > _UNHEARD * (top - bottom) > 0.0:
+        yield say("describe-hangs", mass=str(found.lowest), depth=f"{number(found.hangs)} {unit}")
+    yield from _motion(found, unit, up)
+    if found.stretched is not None:
+        spring, strain = found.stretched
+        yield say("describe-stretched", spring=str(spring), percent=number(100.0 * strain))
+    if found.squeezed is not None:
+        spring, strain = found.squeezed
+        yield say("describe-squeezed", spring=str(spring), percent=number(-100.0 * strain))
+    if found.touching:
+        yield say("describe-touching", count=found.touching)
+    if found.broken:
+        yield say("describe-broken", count=found.broken)
+    if found.yielded:
+        yield say("describe-yielded", count=found.yielded)
+    if swing is not None:
+        if swing.lost < _LASTING:
+            yield say("describe-swings-on", period=number(swing.period))
+        else:
+            yield say("describe-swings", period=number(swing.period), percent=number(100.0 * swing.lost))
+    if before is not None:
+        yield from _changes(found, before, unit, up)
+
+
+def _pieces(pieces: tuple[Piece, ...]) -> Iterator[str]:
+    """What there is; pieces that are alike are counted together."""
+    kinds = Counter((one.shape, len(one.masses), one.springs, one.joints, one.loops) for one in pieces)
+    for (shape, masses, springs, joints, loops), count in kinds.items():
+        match shape:
+            case "mass":
+                yield say("describe-mass", count=count)
+            case "net":
+                yield say(
+                    "describe-net", count=count, masses=masses, springs=springs, joints=joints, loops=loops
+                )
+            case _:
+                key = _SHAPES[shape]
+                yield say(key, count=count, masses=masses, springs=springs, joints=joints)
+
+
+def _held(pieces: tuple[Piece, ...]) -> Iterator[str]:
+    held = [(mass, side) for piece in pieces for mass, side in zip(piece.held, piece.sides, strict=True)]
+    if not held:
+        yield say("describe-free")
+    elif len(held) == 1:
+        yield say("describe-held", mass=str(held[0][0]), side=held[0][1])
+    elif len(held) <= _MANY:
+        masses = listed([str(mass) for mass, _ in sorted(held)])
+        yield say("describe-held-many", count=len(held), masses=masses)
+    else:
+        yield say("describe-held-most", count=len(held))
+
+
+def _way(vector: tuple[float, float], up: float) -> str:
+    """The direction of a vector, in words."""
+    return say("describe-way", way=_WAYS[round(direction(vector, up) / 45.0) % 8])
+
+
+def _motion(found: Description, unit: str, up: float) -> Iterator[str]:
+    if found.is_still:
+        yield say("describe-still")
+        return
+    yield say(
+        "describe-moves",
+        mass=str(found.fastest),
+        way=_way(found.velocity, up),
+        speed=f"{number(found.speed)} {unit}/s",
+    )
+    drift = math.hypot(*found.drift)
+    if drift > 0.1 * found.speed:
+        yield say("describe-drifts", whole=_way(found.drift, up), speed=f"{number(drift)} {unit}/s")
+    degrees = math.degrees(found.turning)
+    if abs(degrees) >= _SLOW:
+        sense = "counterclockwise" if degrees > 0.0 else "clockwise"
+        yield say("describe-turns", sense=sense, degrees=number(abs(degrees)))
+
+
+def _changes(found: Description, before: Description, unit: str, up: float) -> Iterator[str]:
+    """What is different from before."""
+    if [piece.masses for piece in found.pieces] != [piece.masses for piece in before.pieces]:
+        if found.broken > before.broken:
+            yield say("describe-broke", count=found.broken - before.broken)
+        else:
+            yield say("describe-built")
+        return
+    way = found.centre[0] - before.centre[0], found.centre[1] - before.centre[1]
+    size = max(found.box[2] - found.box[0], found.box[3] - found.box[1])
+    if found.broken > before.broken:
+        yield say("describe-broke", count=found.broken - before.broken)
+    if math.hypot(*way) > _UNHEARD * size:
+        yield say("describe-moved", way=_way(way, up), length=f"{number(math.hypot(*way))} {unit}")
+    elif found.broken == before.broken:
+        yield say("describe-same")

@@ -1,0 +1,138 @@
+# The description of a body: one paragraph, put together of these sentences in this order.
+
+# What it consists of. Like pieces are counted together.
+describe-mass = { $count ->
+    [one] A single mass.
+   *[other] { $count } single masses.
+}
+describe-chain = { $count ->
+    [one] A chain of { $masses } masses, with { $springs ->
+        [one] one spring
+       *[other] { $springs } springs
+    } and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+   *[other] { $count } chains of { $masses } masses, each with { $springs ->
+        [one] one spring
+       *[other] { $springs } springs
+    } and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+}
+describe-ring = { $count ->
+    [one] A ring of { $masses } masses, with { $springs } springs and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+   *[other] { $count } rings of { $masses } masses, each with { $springs } springs and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+}
+describe-tree = { $count ->
+    [one] A tree of { $masses } masses, with { $springs } springs and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+   *[other] { $count } trees of { $masses } masses, each with { $springs } springs and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+}
+describe-net = { $count ->
+    [one] A net of { $masses } masses, with { $springs } springs in { $loops ->
+        [one] one loop
+       *[other] { $loops } loops
+    } and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+   *[other] { $count } nets of { $masses } masses, each with { $springs } springs in { $loops ->
+        [one] one loop
+       *[other] { $loops } loops
+    } and { $joints ->
+        [0] no joints
+        [one] one joint
+       *[other] { $joints } joints
+    }.
+}
+
+# What holds it.
+describe-free = Nothing holds it.
+describe-held = It is held at mass { $mass }, { $side ->
+    [left] at its left end
+    [right] at its right end
+    [top] at its top
+    [bottom] at its bottom
+    [leftTop] at its upper left
+    [rightTop] at its upper right
+    [leftBottom] at its lower left
+    [rightBottom] at its lower right
+   *[inside] between its ends
+}.
+describe-held-many = { $count } masses are held: { $masses }.
+describe-held-most = { $count } masses are held.
+
+# How it lies: lengths with their unit.
+describe-lies = It is { $width } wide and { $height } high.
+describe-hangs = Its lowest mass, { $mass }, is { $depth } below the highest one that is held.
+
+# How it moves: speeds with their unit. { $way } and { $whole } are directions, see describe-way.
+describe-still = It is at rest.
+describe-moves = Its fastest mass, { $mass }, moves { $way } at { $speed }.
+describe-drifts = As a whole it moves { $whole } at { $speed }.
+describe-turns = It turns { $sense ->
+    [clockwise] clockwise
+   *[counterclockwise] counterclockwise
+} by { $degrees } degrees a second.
+describe-way = { $way ->
+    [right] to the right
+    [upRight] up to the right
+    [up] up
+    [upLeft] up to the left
+    [left] to the left
+    [downLeft] down to the left
+    [down] down
+   *[downRight] down to the right
+}
+
+# What strains it.
+describe-stretched = Spring { $spring } is stretched most, by { $percent } %.
+describe-squeezed = Spring { $spring } is squeezed most, by { $percent } %.
+describe-touching = { $count ->
+    [one] One mass touches something.
+   *[other] { $count } masses touch something.
+}
+describe-broken = { $count ->
+    [one] One spring is broken.
+   *[other] { $count } springs are broken.
+}
+describe-yielded = { $count ->
+    [one] One spring or joint has yielded.
+   *[other] { $count } springs and joints have yielded.
+}
+
+# How it swings about its rest.
+describe-swings = Left alone, it swings once in { $period } seconds, and loses { $percent } % of each swing.
+describe-swings-on = Left alone, it swings once in { $period } seconds, and loses next to nothing.
+
+# What has changed since it was described before.
+describe-same = Nothing has changed since.
+describe-moved = Since then it has gone { $way } by { $length }.
+describe-broke = { $count ->
+    [one] Since then one spring has broken.
+   *[other] Since then { $count } springs have broken.
+}
+describe-built = Since then it has been changed.
+
+describe-title = Description
+describe-close = Close the description

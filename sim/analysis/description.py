@@ -1,0 +1,268 @@
+"""What can be said of a body at a moment: of which parts it consists, what holds it, how it lies and moves.
+
+These are numbers and kinds, no sentences: `app` puts them into words. All of them are read from the present
+state, and so is what is broken; y is up or down as the scene draws it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..forces.all import TERMS
+from ..forces.reference import Physics
+from ..motion.quantities import Moving, quantity
+from ..scene.types import Scene
+
+Floats = NDArray[np.float64]
+
+Shape = Literal["mass", "chain", "ring", "tree", "net"]
+"""What masses and springs are: one mass; a row; a closed row; branches without a loop; anything else."""
+
+Side = Literal["left", "right", "top", "bottom", "leftTop", "rightTop", "leftBottom", "rightBottom", "inside"]
+"""Where a mass is in the body's bounding box."""
+
+# Unless noted, doubling or halving one of these numbers fails no test.
+_EDGE = 0.1
+"""Part of the bounding box that counts as its edge."""
+_PLAIN = 0.15
+"""Part of the larger side of the box below which the smaller says nothing about where a mass is."""
+_STILL = 0.5
+"""Speed of the fastest mass, px/s, up to which a body is at rest."""
+_STRAINED = 0.005
+"""Strain from which on a spring counts as stretched or squeezed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """Masses that intact springs connect.
+
+    Attributes:
+        shape: what they are.
+        masses: their numbers in the scene.
+        springs, joints: how many, without what is broken.
+        loops: closed ways along springs that are independent of each other.
+        held: the numbers of those that are held.
+        sides: where each of `held` is in the piece.
+    """
+
+    shape: Shape
+    masses: tuple[int, ...]
+    springs: int
+    joints: int
+    loops: int
+    held: tuple[int, ...]
+    sides: tuple[Side, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Description:
+    """A body at a moment; lengths in px, as the scene has them.
+
+    Attributes:
+        time: s.
+        pieces: the largest first.
+        box: xmin, ymin, xmax, ymax of the masses.
+        centre: of all masses.
+        drift: (vx, vy) of that, px/s.
+        turning: angular velocity about it, rad/s, counterclockwise as it is drawn; 0 for a single mass.
+        fastest: number of the fastest mass.
+        velocity: of that, px/s.
+        lowest: number of the lowest mass, as it is drawn.
+        hangs: how far that is below the highest held mass, px; None if none is held.
+        stretched, squeezed: the spring with the largest strain, and that with the smallest, with the strain;
+            None where no spring has one.
+        broken, yielded: how many springs; `yielded` counts joints, too.
+        touching: how many masses touch a wall or another body.
+    """
+
+    time: float
+    pieces: tuple[Piece, ...]
+    box: tuple[float, float, float, float]
+    centre: tuple[float, float]
+    drift: tuple[float, float]
+    turning: float
+    fastest: int
+    velocity: tuple[float, float]
+    lowest: int
+    hangs: float | None
+    stretched: tuple[int, float] | None
+    squeezed: tuple[int, float] | None
+    broken: int
+    yielded: int
+    touching: int
+
+    @property
+    def speed(self) -> float:
+        """Of the fastest mass, px/s."""
+        return math.hypot(*self.velocity)
+
+    @property
+    def is_still(self) -> bool:
+        """Whether it is at rest."""
+        return self.speed <= _STILL
+
+
+def describe(simulation: Moving, scene: Scene) -> Description:
+    """Describe a body.
+
+    Args:
+        simulation: what moves it.
+        scene: its scene.
+    """
+    system, state = simulation.tables
+    index = system.mass_index
+    up = -1.0 if scene.view.y_down else 1.0
+    x, v = state.x[index] + 1j * state.y[index], state.vx[index] + 1j * state.vy[index]
+    mass = system.body.environment.mass[index]
+    held = {anchor.mass for anchor in scene.anchors}
+    broken = np.zeros(len(scene.linear_springs), bool)
+    if state.broken.size:
+        broken[system.spring_order] = state.broken[: broken.size] > 0.0
+    centre, drift = complex(mass @ x / mass.sum()), complex(mass @ v / mass.sum())
+    inertia = float(mass @ np.abs(x - centre) ** 2)
+    spin = float((mass * ((x - centre).conj() * (v - drift)).imag).sum())
+    fastest, height = int(np.abs(v).argmax()), up * x.imag
+    lowest = int(height.argmin())
+    top = max((float(height[m]) for m in held), default=None)
+    strains = _strains(simulation, scene, broken)
+    return Description(
+        time=simulation.time,
+        pieces=_pieces(scene, broken, held, x, up),
+        box=(x.real.min(), x.imag.min(), x.real.max(), x.imag.max()),
+        centre=(centre.real, centre.imag),
+        drift=(drift.real, drift.imag),
+        turning=up * spin / inertia if inertia > 0.0 else 0.0,
+        fastest=fastest,
+        velocity=(v[fastest].real, v[fastest].imag),
+        lowest=lowest,
+        hangs=None if top is None else top - float(height[lowest]),
+        stretched=_largest(strains, 1.0),
+        squeezed=_largest(strains, -1.0),
+        broken=int(broken.sum()),
+        yielded=int(np.count_nonzero(state.set_length) + np.count_nonzero(state.set_angle)),
+        touching=_touching(simulation, index),
+    )
+
+
+def _strains(simulation: Moving, scene: Scene, broken: NDArray[np.bool_]) -> Floats:
+    """(S,) of each spring; 0 where it is broken."""
+    springs = np.arange(len(scene.linear_springs))
+    if not springs.size:
+        return np.zeros(0)
+    longer, length = (
+        quantity(f"spring0.{what}", scene).kind.values(simulation, springs)
+        for what in ("elongation", "length")
+    )
+    rest = length - longer
+    return np.where(broken | (rest <= 0.0), 0.0, longer / np.where(rest > 0.0, rest, 1.0))
+
+
+def _largest(strains: Floats, side: float) -> tuple[int, float] | None:
+    if not strains.size:
+        return None
+    spring = int((side * strains).argmax())
+    return (spring, float(strains[spring])) if side * strains[spring] >= _STRAINED else None
+
+
+def _touching(simulation: Moving, index: NDArray[np.int64]) -> int:
+    """How many masses a wall or another body pushes."""
+    system, state = simulation.tables
+    physics = Physics(system.body, state)
+    x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
+    total = np.zeros(x.shape, bool)
+    for term in (TERMS[k] for k in system.body.environment.acting):
+        if term.touches:
+            total |= np.abs(physics.terms[term.name].forces(x, v)) > 0.0
+    return int(total[index].sum())
+
+
+# ------------------------------------------------------------------------- pieces
+def _pieces(
+    scene: Scene, broken: NDArray[np.bool_], held: set[int], x: NDArray[np.complex128], up: float
+) -> tuple[Piece, ...]:
+    """The pieces, those with most masses first, then by their first mass."""
+    ends = [(s.a, s.b) for s, gone in zip(scene.linear_springs, broken, strict=True) if not gone]
+    part = _connected(len(scene.masses), ends)
+    degree = np.bincount(np.array(ends, int).ravel(), minlength=len(scene.masses))
+    springs = (
+        np.bincount(part[[a for a, _ in ends]], minlength=len(scene.masses)) if ends else np.zeros(1, int)
+    )
+    joints = [j for j in scene.angular_springs if not (broken[j.a] or broken[j.b])]
+    turning = np.bincount(
+        [part[scene.linear_springs[j.a].a] for j in joints] or [0], minlength=len(scene.masses)
+    ) * bool(joints)
+    found = []
+    for first in np.unique(part):
+        masses = np.flatnonzero(part == first)
+        lines, own = int(springs[first]) if ends else 0, sorted(held.intersection(masses.tolist()))
+        most = int(degree[masses].max())
+        loops = lines - masses.size + 1
+        found.append(
+            Piece(
+                shape=_shape(masses.size, loops, most),
+                masses=tuple(masses.tolist()),
+                springs=lines,
+                joints=int(turning[first]),
+                loops=loops,
+                held=tuple(own),
+                sides=tuple(_sides(x[masses], x[own], up)),
+            )
+        )
+    return tuple(sorted(found, key=lambda piece: (-len(piece.masses), piece.masses[0])))
+
+
+def _shape(masses: int, loops: int, most: int) -> Shape:
+    if masses == 1:
+        return "mass"
+    if loops == 0:
+        return "chain" if most <= 2 else "tree"
+    return "ring" if loops == 1 and most == 2 else "net"
+
+
+def _connected(count: int, ends: Iterable[tuple[int, int]]) -> NDArray[np.int64]:
+    """(n,) the lowest mass that each is connected with."""
+    part = list(range(count))
+
+    def root(m: int) -> int:
+        while part[m] != m:
+            part[m] = part[part[m]]
+            m = part[m]
+        return m
+
+    for a, b in ends:
+        low, high = sorted((root(a), root(b)))
+        part[high] = low
+    return np.array([root(m) for m in range(count)])
+
+
+def _sides(all_of: NDArray[np.complex128], some: NDArray[np.complex128], up: float) -> Iterable[Side]:
+    """Where some masses are among all of a piece."""
+    width, height = np.ptp(all_of.real), np.ptp(all_of.imag)
+    larger = max(width, height)
+    for place in some:
+        across = _third(place.real, all_of.real) if width > _PLAIN * larger else 0
+        upward = _third(up * place.imag, up * all_of.imag) if height > _PLAIN * larger else 0
+        yield _SIDES[across, upward]
+
+
+_SIDES: dict[tuple[int, int], Side] = {
+    (-1, 0): "left", (1, 0): "right", (0, 1): "top", (0, -1): "bottom", (0, 0): "inside",
+    (-1, 1): "leftTop", (1, 1): "rightTop", (-1, -1): "leftBottom", (1, -1): "rightBottom",
+}  # fmt: skip
+
+
+def _third(value: float, values: Floats) -> int:
+    """-1 at the lower edge of values, 1 at the upper one, 0 between."""
+    part = (value - values.min()) / (values.max() - values.min())
+    return -1 if part < _EDGE else 1 if part > 1.0 - _EDGE else 0
+
+
+def direction(vector: tuple[float, float], up: float) -> float:
+    """The direction of a vector as it is drawn, degrees counterclockwise from the right, in -180..180."""
+    return math.degrees(math.atan2(up * vector[1], vector[0]))

@@ -1,0 +1,129 @@
+"""Descriptions of bodies, against readings of their own from positions and velocities."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from msgspec.structs import replace
+
+import sim
+from sim.analysis.description import Description, describe
+from sim.store.files import list_scenes
+from tests.amount import part_of
+from tests.sim.bodies import body
+from tests.sim.fuzzing import wild_scene
+
+PRESETS = [info.name for info in list_scenes() if info.built_in]
+
+
+def reading(simulation: sim.Simulation) -> dict[str, float]:
+    """What can be read from places and velocities alone."""
+    scene = simulation.scene
+    x, v = simulation.positions, simulation.velocities
+    mass = np.array([each.mass for each in scene.masses])
+    centre, drift = mass @ x / mass.sum(), mass @ v / mass.sum()
+    arm, rate = x - centre, v - drift
+    down = 1.0 if scene.view.y_down else -1.0
+    spin = float((mass * (arm[:, 0] * rate[:, 1] - arm[:, 1] * rate[:, 0])).sum())
+    inertia = float((mass * (arm**2).sum(1)).sum())
+    read = {
+        "width": float(np.ptp(x[:, 0])),
+        "height": float(np.ptp(x[:, 1])),
+        "speed": float(np.hypot(*v.T).max()),
+        "drift": float(np.hypot(*drift)),
+        "turning": -down * spin / inertia if inertia > 0.0 else 0.0,
+    }
+    held = [anchor.mass for anchor in scene.anchors]
+    if held:
+        read["hangs"] = float((down * x[:, 1]).max() - (down * x[held, 1]).min())
+    ends = np.array([[spring.a, spring.b] for spring in scene.linear_springs]).reshape(-1, 2)
+    if len(ends):
+        rest = (
+            np.array([spring.rest_length for spring in scene.linear_springs]) * simulation.rest_length_scale
+        )
+        if scene.beat is None or isinstance(scene.beat, type(scene.walls)):
+            pass
+        length = np.hypot(*(x[ends[:, 1]] - x[ends[:, 0]]).T)
+        read["stretched"] = float((length / rest - 1.0).max())
+        read["squeezed"] = float((length / rest - 1.0).min())
+    return read
+
+
+def told(found: Description) -> dict[str, float]:
+    """The same as it is described."""
+    left, low, right, high = found.box
+    said = {
+        "width": right - left,
+        "height": high - low,
+        "speed": found.speed,
+        "drift": math.hypot(*found.drift),
+        "turning": found.turning,
+    }
+    if found.hangs is not None:
+        said["hangs"] = found.hangs
+    return said
+
+
+@pytest.mark.parametrize("name", part_of(PRESETS, 4))
+def test_each_number_is_within_two_percent_of_one_s_own_reading(name: str) -> None:
+    scene = sim.load_scene(name)
+    simulation = sim.Simulation(scene)
+    simulation.step(60)
+    found = describe(simulation, scene)
+    read, said = reading(simulation), told(found)
+    for what, value in said.items():
+        assert value == pytest.approx(read[what], rel=0.02, abs=1e-6), what
+    muscular = any(part.muscle for part in (*scene.linear_springs, *scene.angular_springs))
+    if not muscular and "stretched" in read and found.yielded == found.broken == 0:
+        for pair, strain in ((found.stretched, read["stretched"]), (found.squeezed, read["squeezed"])):
+            if pair is not None:
+                assert pair[1] == pytest.approx(strain, rel=0.02)
+    assert sum(len(piece.masses) for piece in found.pieces) == len(scene.masses)
+
+
+def test_wild_bodies_are_described_by_what_they_consist_of() -> None:
+    for seed in range(60):
+        scene = wild_scene(np.random.default_rng(seed))
+        try:
+            found = describe(sim.Simulation(scene), scene)
+        except sim.SceneError:
+            continue
+        for piece in found.pieces:
+            assert piece.loops == piece.springs - len(piece.masses) + 1 >= 0
+        assert sum(piece.springs for piece in found.pieces) == len(scene.linear_springs) - found.broken
+        assert sorted(m for piece in found.pieces for m in piece.masses) == list(range(len(scene.masses)))
+
+
+@pytest.mark.parametrize(
+    ("name", "shape", "loops"),
+    [("rope", "chain", 0), ("ring", "ring", 1), ("tree", "tree", 0), ("cloth", "net", 243)],
+)
+def test_the_shape_of_a_body_is_known(name: str, shape: str, loops: int) -> None:
+    scene = sim.load_scene(name)
+    found = describe(sim.Simulation(scene), scene)
+    assert (found.pieces[0].shape, found.pieces[0].loops) == (shape, loops)
+
+
+def test_it_says_where_a_body_is_held_and_what_it_touches() -> None:
+    rope = sim.rope(masses=5)
+    found = describe(sim.Simulation(rope), rope)
+    assert found.pieces[0].held == (0,)
+    assert found.pieces[0].sides == ("top",)
+    buggy = sim.load_scene("buggy")
+    parked = sim.Simulation(buggy)
+    parked.step(100)
+    found = describe(parked, buggy)
+    assert found.touching > 0
+
+
+def test_a_broken_spring_parts_a_chain() -> None:
+    rope = body("chain", "angle", 0)
+    weak = tuple(replace(spring, strength=1e-3) for spring in rope.linear_springs)
+    torn = replace(rope, linear_springs=weak, gravity=(0.0, 1000.0))
+    simulation = sim.Simulation(torn)
+    simulation.step(200)
+    found = describe(simulation, torn)
+    assert found.broken > 0
+    assert len(found.pieces) == 1 + found.broken
