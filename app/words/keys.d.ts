@@ -549,6 +549,15 @@ export type Words = {
   "ui-tab-solver": never;
   "ui-tab-share": never;
   "ui-tab-lesson": never;
+  "ui-unsent": never;
+  "ui-unsent.text": never;
+  "ui-unsent-resume": never;
+  "ui-unsent-link": never;
+  "ui-unsent-file": never;
+  "ui-unsent-paste": never;
+  "ui-unsent-rival": never;
+  "ui-all-controls": never;
+  "ui-no-scene": never;
   "view-menu": never;
   "view-menu.hint": never;
   "view-help": never;

@@ -17,7 +17,7 @@ from fluent.syntax.visitor import Visitor
 from msgspec import inspect as types_of
 
 from app.pages.sandbox.features import COMMANDS, FEATURES
-from app.pages.sandbox.requests import VERBS
+from app.pages.sandbox.requests import OWN_TEXTS
 from app.ui.commands import key_lines, key_of, text_of
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
@@ -98,7 +98,7 @@ def types() -> str:
     says, tells = messages(FromPage), messages(ToPage)
     tables = {name_of(feature): feature.commands for feature in FEATURES}
     page = {of: [name for name, row in table.items() if row.does == "page"] for of, table in tables.items()}
-    texts = [*VERBS, *(kind for feature in FEATURES for kind in feature.texts)]
+    texts = [*OWN_TEXTS, *(kind for feature in FEATURES for kind in feature.texts)]
     commands = "; ".join(
         f"{of}: {' | '.join(map(json.dumps, names)) or 'never'}" for of, names in page.items()
     )

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from ...session import commands
 from ...ui.commands import Row
-from ...ui.feature import Drawn, Feature, LongText
+from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from .edits import Edits
@@ -26,7 +26,7 @@ class EditFeature(Feature):
     """The editing of one page."""
 
     messages: ClassVar = {Edit: "edit"}
-    texts: ClassVar = {"paste": LongText(needs="edit", verb="pasted")}
+    texts: ClassVar = {"paste": "edit"}
     controls: ClassVar = {"edit": "the tools that build and change the body, undo and redo"}
     commands: ClassVar = {
         "edit": Row("page", ("E",), needs="edit", icon="M4 20l1-4L16 5l3 3L8 19zM14 7l3 3"),

@@ -8,7 +8,7 @@ import viser
 
 from ...session import commands
 from ...ui.commands import Row
-from ...ui.feature import Feature, LongText
+from ...ui.feature import Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from .export_panel import ExportPanel
@@ -25,8 +25,8 @@ class FilesFeature(Feature):
 
     messages: ClassVar = {Share: ""}
     texts: ClassVar = {
-        "link": LongText(needs="", verb="opened"),
-        "file": LongText(needs="files", verb="opened"),
+        "link": "",
+        "file": "files",
     }
     commands: ClassVar = {
         "share": Row("page", needs="files", share=viser.Icon.LINK),

@@ -373,7 +373,7 @@ class Tab:
         if gallery is not None and "chooser" in self._page.controls:
             gallery.offer(why)
         else:
-            self.notify(Notice("error", "That address has no scene", why))
+            self.notify(Notice("error", say("ui-no-scene"), why))
 
     def _resume(self, saved: keeping.SavedPage) -> None:
         """Restore a saved state; the plots first, since they are made when the body is built."""

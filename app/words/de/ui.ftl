@@ -92,3 +92,13 @@ ui-tab-measure = Messen
 ui-tab-solver = Löser
 ui-tab-share = Teilen
 ui-tab-lesson = Lektion
+
+ui-unsent = Das kann nicht gesendet werden
+    .text = Es ist zu groß für eine Seite: höchstens 4,7 MB, das sind etwa 11 000 Massen.
+ui-unsent-resume = Das kann nicht fortgesetzt werden
+ui-unsent-link = Das kann nicht geöffnet werden
+ui-unsent-file = Das kann nicht geöffnet werden
+ui-unsent-paste = Das kann nicht eingefügt werden
+ui-unsent-rival = Dagegen kann kein Wettrennen stattfinden
+ui-all-controls = Alle Bedienelemente werden gezeigt
+ui-no-scene = Diese Adresse hat keine Szene

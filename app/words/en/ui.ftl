@@ -116,3 +116,15 @@ ui-tab-measure = Measure
 ui-tab-solver = Solver
 ui-tab-share = Share
 ui-tab-lesson = Lesson
+
+# The title of a notice: something is too large. The text below it says how large it may be.
+ui-unsent = That cannot be sent
+    .text = It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses.
+ui-unsent-resume = That cannot be resumed
+ui-unsent-link = That cannot be opened
+ui-unsent-file = That cannot be opened
+ui-unsent-paste = That cannot be pasted
+ui-unsent-rival = That cannot be raced against
+# Titles of notices; below them stands why.
+ui-all-controls = All controls are shown
+ui-no-scene = That address has no scene
