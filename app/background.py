@@ -7,6 +7,8 @@ import queue
 import threading
 import time
 from collections.abc import Callable
+from contextvars import copy_context
+from functools import partial
 
 _log = logging.getLogger(__name__)
 
@@ -26,8 +28,8 @@ class BackgroundWorker:
         self._thread: threading.Thread | None = None
 
     def submit(self, work: Callable[[], None]) -> None:
-        """Queue some work; it may not raise."""
-        self._waiting.put(work)
+        """Queue some work, which speaks the language that is spoken now; it may not raise."""
+        self._waiting.put(partial(copy_context().run, work))
         with self._lock:
             if self._thread is None:
                 self._thread = threading.Thread(target=self._run, name="softrod-background", daemon=True)

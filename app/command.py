@@ -10,8 +10,10 @@ from typing import Annotated
 from tyro.conf import UseAppendAction, arg
 
 import sim
-from sim.errors import SceneError
+from sim.errors import InputError, SceneError
 from sim.settings import CHOICES, SETTINGS, apply_assignments
+
+from .words import choose, languages
 
 Settings = Annotated[
     UseAppendAction[tuple[str, ...]],
@@ -30,6 +32,28 @@ CsvComma = Annotated[
         "countries read it"
     ),
 ]
+
+
+_LANGUAGES = " or ".join(f"{each.tag} ({each.name})" for each in languages().values())
+
+Lang = Annotated[
+    str,
+    arg(
+        metavar="TAG",
+        help=f"language of what is written: {_LANGUAGES}",
+    ),
+]
+
+
+def spoken(tag: str) -> str:
+    """A language that was asked for by --lang.
+
+    Raises:
+        InputError: softrod does not speak it.
+    """
+    if choose(tag) != tag:
+        raise InputError(f"--lang {tag}: softrod speaks {_LANGUAGES}")
+    return tag
 
 
 @dataclass

@@ -16,8 +16,9 @@ import sim
 from sim.errors import InputError
 from sim.store.files import write_file
 
-from ..command import CsvComma, scene_of
+from ..command import CsvComma, Lang, scene_of, spoken
 from ..session.log import read_log
+from ..words import ENGLISH, speaking
 from .clip import LONGEST, SHORTEST, ClipFrame
 from .formats import FORMATS, Format, Options, Source
 from .keyframes import FASTEST, FPS, SLOWEST
@@ -58,6 +59,7 @@ class Export(_Files):
     dark: bool = False
     """On dark paper."""
     csv_comma: CsvComma = False
+    lang: Lang = ENGLISH
     inputs: Path | None = None
     """A log that a page recorded."""
     settings: Annotated[
@@ -71,6 +73,10 @@ class Export(_Files):
         Raises:
             InputError, SceneError, SettingError: it cannot be done; what is not written yet is not written.
         """
+        with speaking(spoken(self.lang)):
+            return self._write()
+
+    def _write(self) -> int:
         paths: dict[Format, Path] = {f: path for f in FORMATS if (path := getattr(self, f.flag)) is not None}
         size = self._checked(paths)
         seconds = 0.0 if all(each.of == "body" for each in paths) else self.seconds

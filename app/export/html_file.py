@@ -27,7 +27,8 @@ from ..stage.looks import FRACTIONS, SPEEDS
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
-from ..words import element, language, way_of
+from ..words import element, language, say, way_of
+from ..words.keys import Key
 from .clip import ClipFrame
 from .picture import webp
 from .window import bounds
@@ -91,7 +92,7 @@ def html_file(
 <h1>{title}</h1>
 {noted}<p>{html.escape(scene.description)}</p>
 <p role="alert"></p>
-<noscript><p>This is a picture: scripts do not run here. Open the file in a web browser, and it moves.</p>
+<noscript><p>{said("live-picture")}</p>
 <img src="{picture}" width="{width}" height="{height}" alt="{title}"></noscript>
 </header>"""
     styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
@@ -108,7 +109,7 @@ def document(
     images: str = "data:",
     plain: str = "",
 ) -> bytes:
-    """A file that loads nothing but images from where it may, in UTF-8.
+    """A file that loads nothing but images from where it may, in UTF-8, in the language that is spoken now.
 
     Args:
         title: shown as text.
@@ -159,6 +160,11 @@ def document(
 </html>
 """
     return text.encode()
+
+
+def said(key: Key) -> str:
+    """A text as HTML."""
+    return html.escape(say(key))
 
 
 def speed_options() -> str:

@@ -18,7 +18,7 @@ from ..stage.plan import encode_damage, encode_frame
 from ..stage.sketch import Floats
 from ..wire.sections import joined
 from .clip import Clip, ClipFrame
-from .html_file import html_file, icon, packed, plans, speed_options, stage
+from .html_file import html_file, icon, packed, plans, said, speed_options, stage
 
 RATE = 60.0
 """Frames a second; fewer of a large body."""
@@ -39,12 +39,13 @@ def replay_html(clip: Clip) -> bytes:
     about, data = _described(clip)
     title = shown_name(scene)
     style, script = _looks()
+    icons = icon(**_ICONS)
     body = f"""<canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
 <div class="bar">
-<button id="play" type="button" data-icon="play" aria-label="Play">{icon(**_ICONS)}</button>
-<input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="Time shown">
+<button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{icons}</button>
+<input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="{said("replay-time")}">
 <output id="clock" for="time"></output>
-<select id="speed" aria-label="Speed">{speed_options()}</select>
+<select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
 </div>"""
     return html_file(clip.frames[0], body, style, script, {"about": about, "data": data})
 

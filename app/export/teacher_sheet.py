@@ -14,7 +14,8 @@ from sim.settings import scene_of_step
 from ..bundle import compact_style
 from ..lessons import goal_text, reading_text, run_text
 from ..stage.looks import style_rules
-from .html_file import document
+from ..words import say
+from .html_file import document, said
 
 MINUTES_ASKED, MINUTES_TRIED = 8, 5
 """Of a class for a step with a question, and for one without: some six for the question, two for a try."""
@@ -32,18 +33,18 @@ def sheet_html(scene: sim.Scene) -> bytes:
     minutes = sum(MINUTES_ASKED if step.question or step.predict else MINUTES_TRIED for step in steps)
     parts = [_step(number, step, scene) for number, step in enumerate(steps)]
     title = html.escape(shown_name(scene))
+    command = f"<code>softrod class {html.escape(scene.name)}</code>"
+    following = f"<i>{said('live-sheet-next')}</i>"
+    needs = say("live-sheet-needs", minutes=minutes, command=command, next=following)
     body = f"""<header><h1>{title}</h1>
-<p>{html.escape(scene.description)} Some {minutes} minutes. You need a computer with a projector, and a phone,
-tablet or computer for each pupil or two. Begin with <code>softrod class {html.escape(scene.name)}</code>;
-<i>Next</i> leads from phase to phase.</p>
-<p>Ask: all answer unseen. Do not tell what is right. Below 35 % right teach it again; up to 70 % let them
-talk in pairs and ask again. Run it, reveal, have them write one line why; then they try, and hand in.</p>
+<p>{html.escape(scene.description)} {needs}</p>
+<p>{said("live-sheet-how")}</p>
 </header>
 <main>{"".join(parts)}</main>"""
     style = "\n".join(
         (style_rules("[data-dark]*"), compact_style(Path(__file__).parent / "static" / "sheet.css"))
     )
-    return document(f"{shown_name(scene)}: for the teacher", body, [style], [], {})
+    return document(say("live-sheet-title", lesson=shown_name(scene)), body, [style], [], {})
 
 
 def _step(number: int, step: Step, scene: sim.Scene) -> str:
@@ -54,19 +55,22 @@ def _step(number: int, step: Step, scene: sim.Scene) -> str:
             f"<li{' class=right' if i == question.answer else ''}>{html.escape(choice)}</li>"
             for i, choice in enumerate(question.choices)
         )
-        rows.append(("Ask", f"{html.escape(question.text)}<ol>{choices}</ol>"))
+        rows.append((said("live-sheet-ask"), f"{html.escape(question.text)}<ol>{choices}</ol>"))
     if step.predict is not None:
-        rows.append(("Predict", f"Each drags the pale body to where it will be after {step.predict:g} s."))
+        told = say("live-sheet-predict.text", time=f"{step.predict:g}")
+        rows.append((said("live-sheet-predict"), html.escape(told)))
     if step.run:
-        rows.append(("Run", html.escape(run_text(step.run, begins))))
+        rows.append((said("live-sheet-run"), html.escape(run_text(step.run, begins))))
     if question is not None:
-        rows.append(("Reveal", html.escape(question.because)))
-    rows.append(("Try", html.escape(step.do)))
+        rows.append((said("live-sheet-reveal"), html.escape(question.because)))
+    rows.append((said("live-sheet-try"), html.escape(step.do)))
     if step.watch:
-        rows.append(("Watch", html.escape(step.watch)))
+        rows.append((said("live-sheet-watch"), html.escape(step.watch)))
     if step.goal is not None:
-        rows.append(("Goal", html.escape(f"{goal_text(step.goal, begins)}.")))
+        told = say("live-sheet-goal.text", goal=goal_text(step.goal, begins))
+        rows.append((said("live-sheet-goal"), html.escape(told)))
     if step.collect is not None:
-        rows.append(("Collect", html.escape(f"The {reading_text(step.collect, begins)}.")))
+        told = say("live-sheet-collect.text", reading=reading_text(step.collect, begins))
+        rows.append((said("live-sheet-collect"), html.escape(told)))
     listed = "".join(f"<dt>{word}</dt><dd>{text}</dd>" for word, text in rows)
     return f"<section><h2>{number + 1} {html.escape(step.title)}</h2><dl>{listed}</dl></section>"

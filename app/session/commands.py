@@ -324,6 +324,7 @@ class Open(Command):
             session.lesson_base = base
         session.lesson_begun = self.begun
         opened = session.simulation.capture()
+        session.scenes += opened.scene.name != before.scene.name
         if begins:
             session.versions.amend_leap(opened)
         else:

@@ -155,6 +155,7 @@ class Session:
         joint: the angular spring that is read out.
         generation: counts bodies and methods; with a new number, the page makes other nodes and controls.
         openings: counts bodies that replaced another; the view is fitted to a new one.
+        scenes: counts scenes that were opened in the place of one of another name.
         revision: counts changes of settings, other than by the arrow keys.
         notices: what the user has still to be notified of.
         pacer: the clock.
@@ -192,7 +193,7 @@ class Session:
         self._keys_at = -math.inf
         self.playing = True
         self.lesson_begun = self.awaits_answer = self.follows_energy = False
-        self.generation = self.openings = self.revision = 0
+        self.generation = self.openings = self.scenes = self.revision = 0
         self.history, self.versions = History(), Versions()
         self.development: Development | None = None
         self.notices: list[Notice] = []

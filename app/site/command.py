@@ -13,6 +13,9 @@ from tyro.conf import Positional, arg
 
 from sim.errors import InputError
 
+from ..command import Lang, spoken
+from ..words import ENGLISH, speaking
+
 
 @dataclass
 class MakeGallery:
@@ -27,6 +30,7 @@ class MakeGallery:
     """Add all scenes that you have saved."""
     title: str = ""
     """Of the index."""
+    lang: Lang = ENGLISH
 
     def run(self) -> int:
         """Make and write them.
@@ -36,18 +40,22 @@ class MakeGallery:
         """
         if self.out is None:
             raise InputError("--out: name the folder to write")
+        with speaking(spoken(self.lang)):
+            return self._write(self.out)
+
+    def _write(self, out: Path) -> int:
         from .entries import shown
         from .folder import INDEX, Folder
-        from .pages import TITLE, files
+        from .pages import files
 
         start = time.perf_counter()
         scenes = shown(self.scenes, self.own)
-        made = files(scenes, self.title.strip() or TITLE)
-        folder = Folder(self.out, made)
+        made = files(scenes, self.title.strip())
+        folder = Folder(out, made)
         console = Console(stderr=True)
         with Progress(console=console, transient=True, disable=not console.is_terminal) as progress:
             size = folder.write(progress.track(made.items(), description="making pages"))
         count = f"{len(scenes)} {'scene' if len(scenes) == 1 else 'scenes'}"
         seconds = time.perf_counter() - start
-        print(f"{self.out / INDEX}: {count}, {size / 1e6:.1f} MB, in {seconds:.1f} s")
+        print(f"{out / INDEX}: {count}, {size / 1e6:.1f} MB, in {seconds:.1f} s")
         return 0

@@ -17,9 +17,7 @@ from sim.store.link import link_data
 
 from ..export.body.program import unknown_forces
 from ..features.gallery.entries import entries as in_groups
-
-OWN = "Own scenes"
-"""Heading of what is no preset."""
+from ..words import say
 
 EMPTY = "empty"
 """The preset to build on, which a page without tools cannot; it is left out where it is not named."""
@@ -96,7 +94,7 @@ def shown(names: Sequence[str], own: bool) -> list[Shown]:
                 title=title if titles[title] == 1 else f"{title} ({entry.name})",
                 line=entry.line,
                 text=entry.text,
-                group=OWN if entry.saved else entry.group,
+                group=say("site-own") if entry.saved else entry.group,
                 built_in=not entry.saved,
                 scene=scene,
             )

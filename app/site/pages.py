@@ -13,22 +13,16 @@ import sim
 from sim.errors import InputError
 
 from ..bundle import bundle, compact_style
-from ..export.html_file import Bar, document
+from ..export.html_file import Bar, document, said
 from ..export.live.live import DARK, early_script, live_html
 from ..features.gallery import thumbnails
 from ..stage.looks import style_rules
+from ..words import say
 from .entries import Shown
 from .folder import INDEX
 
-TITLE = "Ropes and soft bodies"
-
 _FOLDER = Path(__file__).parent / "static"
 _CARDS = Path(__file__).parents[1] / "features" / "gallery" / "gallery.css"
-
-_ABOUT = (
-    "Each picture opens a body that moves: drag it, bend it, change its numbers. It runs in the browser, and "
-    "nothing is sent anywhere."
-)
 
 _ICONS = {
     "dark": '<circle cx="12" cy="12" r="8.5"/><path class="full" d="M12 3.5a8.5 8.5 0 0 1 0 17z"/>',
@@ -45,7 +39,7 @@ def files(scenes: Sequence[Shown], title: str) -> dict[str, Callable[[], bytes]]
 
     Args:
         scenes: in order.
-        title: of the gallery.
+        title: of the gallery; if it is empty, the usual one.
     """
     made: dict[str, Callable[[], bytes]] = {}
     for i, scene in enumerate(scenes):
@@ -54,7 +48,7 @@ def files(scenes: Sequence[Shown], title: str) -> dict[str, Callable[[], bytes]]
         made[_page(scene)] = partial(_live, scene, before, after)
         for dark in (False, True):
             made[_picture(scene, dark)] = partial(_painted, scene, dark)
-    made[INDEX] = partial(_index, scenes, title)
+    made[INDEX] = partial(_index, scenes, title or say("site-title"))
     return made
 
 
@@ -83,21 +77,27 @@ def _live(scene: Shown, before: Shown | None, after: Shown | None) -> bytes:
 
 
 def _bar(scene: Shown, before: Shown | None, after: Shown | None) -> str:
-    links = "\n".join(
-        f'<a class="{name}" rel="{rel}" href="{_page(to)}" aria-label="{label}: {html.escape(to.title)}">'
-        f"{order.format(icon=_icon(name), title=html.escape(to.title))}</a>"
-        for name, rel, label, to, order in (
-            ("before", "prev", "Before", before, "{icon}<span>{title}</span>"),
-            ("after", "next", "Next", after, "<span>{title}</span>{icon}"),
-        )
-        if to is not None
-    )
-    return f"""<nav id="bar" aria-label="Gallery">
-<a class="all" href="{INDEX}#at={scene.file}" title="All scenes (O)">{_icon("all")}<span>All scenes</span></a>
-{links}
-<button id="save" type="button" title="Save this page as one file" aria-label="Save this page as one file"
+    links = []
+    if before is not None:
+        inside = f"{_icon('before')}<span>{html.escape(before.title)}</span>"
+        links.append(_link("before", "prev", before, say("site-before", scene=before.title), inside))
+    if after is not None:
+        inside = f"<span>{html.escape(after.title)}</span>{_icon('after')}"
+        links.append(_link("after", "next", after, say("site-after", scene=after.title), inside))
+    line = "\n"
+    back, save = _icon("all") + f"<span>{said('site-all')}</span>", said("site-save")
+    return f"""<nav id="bar" aria-label="{said("site-bar")}">
+<a class="all" href="{INDEX}#at={scene.file}" title="{said("site-all.hint")}">{back}</a>
+{line.join(links)}
+<button id="save" type="button" title="{save}" aria-label="{save}"
  data-file="{_page(scene)}">{_icon("save")}</button>
 </nav>"""
+
+
+def _link(name: str, rel: str, to: Shown, label: str, inside: str) -> str:
+    """A link of the bar to another page."""
+    where = f'rel="{rel}" href="{_page(to)}"'
+    return f'<a class="{name}" {where} aria-label="{html.escape(label)}">{inside}</a>'
 
 
 @cache
@@ -124,23 +124,23 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
         + "\n</ul>\n</section>"
         for group, members in groups
     )
-    count = f"{len(scenes)} {'scene' if len(scenes) == 1 else 'scenes'}"
+    count, find, dark = say("site-count", count=len(scenes)), said("site-find"), said("site-dark")
     body = f"""<header>
 <h1>{html.escape(title)}</h1>
-<p>{_ABOUT}</p>
+<p>{said("site-about")}</p>
 </header>
 <div id="tools">
-<input id="search" class="softrod-search" type="search" placeholder="Find a scene" aria-label="Find a scene"
+<input id="search" class="softrod-search" type="search" placeholder="{find}" aria-label="{find}"
  autocomplete="off" aria-keyshortcuts="/">
-<output id="count" for="search">{count}</output>
-<button id="dark" type="button" title="Dark page" aria-label="Dark page">{_icon("dark")}</button>
-<nav aria-label="Groups">{jumps if len(groups) > 1 else ""}</nav>
+<output id="count" for="search">{html.escape(count)}</output>
+<button id="dark" type="button" title="{dark}" aria-label="{dark}">{_icon("dark")}</button>
+<nav aria-label="{said("site-groups")}">{jumps if len(groups) > 1 else ""}</nav>
 </div>
 <main>
 <p id="none" role="status"></p>
 {sections}
 </main>
-<footer>Made with softrod. These pages need no server and no network.</footer>"""
+<footer>{said("site-made")}</footer>"""
     searched = [
         {"name": one.name, "file": one.file, "title": one.title, "text": one.text, "group": one.group}
         for one in scenes

@@ -7,7 +7,7 @@ import { onPicture, shown } from "./canvas.js";
 import { onMessage, pageState } from "../wire/channel.js";
 import { toWorld } from "./draw.js";
 import { MARGIN, NEAR, STRIP } from "./looks.js";
-import { editing } from "../features/edit/editing.js";
+import { countSelected, editing } from "../features/edit/editing.js";
 import { floorOf, placeTransport } from "./dock.js";
 import { isStill } from "../ui/access.js";
 import { viserCamera, viserCanvas } from "../ui/viser/viser.js";
@@ -120,6 +120,9 @@ function covered(canvas, box) {
   return box.bottom - top;
 }
 
+/** Height of the bar below the tools while nothing is selected: a view stands when a selection makes it higher. */
+let barHeight = 0;
+
 /**
  * Height that the tools take at the top, if their row is nearly as wide as the canvas or that is low, and at the bottom; or the buttons
  * over the bar of time if a narrow canvas has no room beside them.
@@ -128,6 +131,7 @@ function covered(canvas, box) {
  */
 function besideTools(box) {
   if (!editing.on) {
+    barHeight = 0;
     const buttons = [...document.querySelectorAll(".softrod-menu-lid, .softrod-box-lid")];
     const height = Math.max(0, ...buttons.map((button) => button.getBoundingClientRect().height));
     // Not the display's present height: a body would jump whenever that comes or gets another line.
@@ -138,7 +142,8 @@ function besideTools(box) {
   }
   const [row, bar] = [".softrod-edit.softrod-edit-row", ".softrod-edit-bar"].map((name) => document.querySelector(name)?.getBoundingClientRect());
   const above = row && (row.width >= WIDE * box.width || box.height < LOW) ? Math.max(0, row.bottom - box.top) : 0;
-  return { above, below: bar?.height ?? 0 };
+  if (!barHeight || !countSelected()) barHeight = bar?.height ?? 0;
+  return { above, below: barHeight };
 }
 
 /**

@@ -1,12 +1,16 @@
 // @ts-check
 /**
- * Printing: the scene's title and the time over the body, and below it the step of the lesson and the open plots. looks.css
- * hides everything else.
+ * Printing, on one page: the scene's title and the time over the body, and below it the step of the lesson and the open plots,
+ * one below the other, as many as there is room for. looks.css hides everything else.
  */
 import { pageState } from "../wire/channel.js";
 import { make } from "../ui/dialog.js";
+import { copyAt } from "../ui/gui/plot.js";
 import { frameMarks } from "./sight.js";
 import { timeNow } from "../ui/clock.js";
+
+/** Width and height of a plot over time on paper, px. */
+const PLOT = /** @type {const} */ ([700, 130]);
 
 /** The text of the lesson's present step, without its buttons. */
 function lessonWords() {
@@ -25,7 +29,7 @@ function plots() {
   for (const part of parts) {
     if (part.closest("[role=tabpanel][hidden]") && part.closest(".softrod-lesson-page")) continue; // Measure has it, too
     if (part.matches(".softrod-plot-title")) all.append(make("figure", ""));
-    all.lastElementChild?.append(part.cloneNode(true));
+    all.lastElementChild?.append(copyAt(part, ...PLOT));
   }
   return all;
 }
@@ -41,10 +45,10 @@ export function addPaper() {
   const fill = () => {
     const [words, curves] = [lessonWords(), plots()];
     below.replaceChildren(...[words, curves].filter((part) => part.childElementCount));
-    // The part of the page that is used for it.
-    const plotted = [0, 0.3, 0.34][Math.min(curves.childElementCount, 2)];
-    const part = Math.min((words.childElementCount ? 0.26 : 0) + plotted, 0.46);
-    document.documentElement.style.setProperty("--softrod-below", `${100 * part}%`);
+    const { style } = document.documentElement;
+    style.setProperty("--softrod-words", String(Math.min(words.childElementCount, 1)));
+    style.setProperty("--softrod-plots", String(curves.childElementCount));
+    style.setProperty("--softrod-pairs", String(Math.ceil(curves.childElementCount / 2)));
     title.textContent = pageState().title ?? "";
     time.textContent = `t = ${timeNow().toFixed(2)} s`;
     frameMarks(true);

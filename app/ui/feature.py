@@ -72,6 +72,9 @@ class Feature:
     def detach(self) -> None:
         """Remember the values of the controls; the panel is about to be removed."""
 
+    def clear(self) -> None:
+        """Put away what belongs to the scene before: another one was opened; `build` follows."""
+
     def build(self) -> None:
         """Adapt to another body."""
 

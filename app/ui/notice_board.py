@@ -14,8 +14,18 @@ _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warnin
 
 MAX_WAITING = 100
 
-CLOSES_AFTER = 5.0
-"""Seconds for which a notice is shown; errors stay."""
+SECONDS = 8.0
+"""Seconds for which a notice is shown, without those for its length."""
+
+SECONDS_A_CHARACTER = 0.06
+"""Seconds more for each of its characters, to read it."""
+
+
+def seconds_for(notice: Notice) -> float | None:
+    """How long a notice is shown, s; None for one that stays until its subject is over."""
+    if notice.about is not None:
+        return None
+    return SECONDS + SECONDS_A_CHARACTER * (len(notice.title) + len(notice.text))
 
 
 class NoticeBoard:
@@ -57,7 +67,7 @@ class NoticeBoard:
                 notice.title,
                 notice.text,
                 color=_COLORS[notice.kind],
-                auto_close_seconds=None if notice.kind == "error" else CLOSES_AFTER,
+                auto_close_seconds=seconds_for(notice),
             )
             if notice.about is not None:
                 if notice.about in self._transient:

@@ -74,8 +74,8 @@ export const COMMANDS = {
   palette: {"label": "command-palette", "keys": ["ctrl k"], "shown": "Ctrl K", "page": true},
   help: {"label": "command-help", "keys": [], "needs": "help"},
   access: {"label": "command-access", "hint": "command-access.hint", "keys": [], "needs": "view", "page": true},
+  describe: {"label": "command-describe", "hint": "command-describe.hint", "keys": ["d"], "shown": "D"},
   body: {"label": "command-body", "keys": ["Tab"], "shown": "Tab", "where": "own"},
   lengths: {"label": "command-lengths", "keys": ["↑ ↓"], "shown": "↑ ↓", "where": "held"},
   angles: {"label": "command-angles", "keys": ["→ ←"], "shown": "→ ←", "where": "held"},
-  describe: {"label": "command-describe", "hint": "command-describe.hint", "keys": ["d"], "shown": "D"},
 };

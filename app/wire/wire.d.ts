@@ -1,9 +1,9 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "access" | "body" | "lengths" | "angles" | "describe";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "access" | "describe" | "body" | "lengths" | "angles";
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger" | "palette"; access: "access"; reading: never; hands: never; describe: never };
+export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger" | "palette"; access: "access"; reading: never; describe: never; hands: never };
 /** New values of fields of a step, see `sim.scene.lesson.Step`; null removes one. */
 export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; run?: null; ghost?: string };
 /** A question as it is written, see `sim.scene.lesson.Question`. */
@@ -259,6 +259,8 @@ export type SceneChanged = { tell: "sceneChanged"; text: string; undo: string };
 export type UsedInClass = { tell: "usedInClass"; address: string; command: string };
 /** What is measured on the canvas. */
 export type Tools = { tell: "tools"; traced: number[]; seconds: number; chosen: number; coordinates: boolean; strobe: number };
+/** Another scene was opened: the instruments on the canvas go back into the box. */
+export type PutBack = { tell: "putBack" };
 /** Forces, velocities and torques; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
@@ -305,7 +307,7 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Seat | Bench | Alone | Wall | Predictions | Posters | Desk | Remark | Taken | Brought | ClassEnded | Readings | Described | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Seat | Bench | Alone | Wall | Predictions | Posters | Desk | Remark | Taken | Brought | ClassEnded | Readings | Described | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | PutBack | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
   readings: {
@@ -388,4 +390,4 @@ export type Layouts = {
   };
 };
 /** Messages to the page, by their tags. */
-export type Received = { seat: Seat; bench: Bench; alone: Alone; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; remark: Remark; taken: Taken; brought: Brought; classEnded: ClassEnded; readings: Readings; described: Described; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Received = { seat: Seat; bench: Bench; alone: Alone; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; remark: Remark; taken: Taken; brought: Brought; classEnded: ClassEnded; readings: Readings; described: Described; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; putBack: PutBack; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

@@ -136,7 +136,7 @@ def number(value: float, digits: int = 3) -> str:
 
 def listed(items: Sequence[str]) -> str:
     """Some texts as a list, as in "a, b and c"."""
-    return format_list(list(items), locale=_locale(_now.get()))
+    return format_list(list(items), locale="en_GB" if _locale(_now.get()) == ENGLISH else _now.get())
 
 
 def _locale(tag: str) -> str:
@@ -218,7 +218,7 @@ def localized(page: str, tag: str, script: str = "") -> str:
     """
     said = _PLACE.sub(lambda match: html.escape(_text(tag, match[1] + match[2])), page)
     return said.replace('<html lang="en"', f"<html {way_of(tag)}", 1).replace(
-        "{words}", element(script, tag), 1
+        "{words}", element(script, tag, _offered()), 1
     )
 
 
@@ -228,9 +228,19 @@ def way_of(tag: str) -> str:
     return f'lang="{tag}"' if way == "ltr" else f'lang="{tag}" dir="{way}"'
 
 
-def element(script: str, tag: str) -> str:
-    """The element that holds what a page's script says; nothing if it says nothing."""
+def element(script: str, tag: str, offered: str = "") -> str:
+    """The element that holds what a page's script says; nothing if it says nothing.
+
+    Args:
+        script: the page's.
+        tag: the language.
+        offered: an attribute that lists the languages that can be chosen there.
+    """
     texts = of_script(script, tag)
-    tongues = html.escape(";".join(f"{each.tag}={each.name}" for each in languages().values()))
-    opening = f'<script type="text/plain" id="words" {way_of(tag)} data-languages="{tongues}">'
-    return f"{opening}{texts}</script>" if texts else ""
+    return f'<script type="text/plain" id="words" {way_of(tag)}{offered}>{texts}</script>' if texts else ""
+
+
+def _offered() -> str:
+    """The languages as an attribute, which `words.js` reads."""
+    names = ";".join(f"{each.tag}={each.name}" for each in languages().values())
+    return f' data-languages="{html.escape(names)}"'

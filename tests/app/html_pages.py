@@ -7,6 +7,7 @@ import hashlib
 import html.parser
 import json
 import re
+from collections.abc import Iterable
 from typing import Any
 
 WICKED = '"></script><script>alert(1)</script><img src=x onerror=alert(1)>&'
@@ -70,3 +71,35 @@ class Page(html.parser.HTMLParser):
             assert rules.pop(f"{kind}-src") == " ".join(digests)
         assert not rules
         assert not {"iframe", "object", "embed", "form", "base"} & set(self.tags)
+
+
+class _Shown(html.parser.HTMLParser):
+    """The texts of a page that somebody reads or hears."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.texts: list[str] = []
+        self._open = ""
+        self.feed(text)
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        """As `HTMLParser` has it."""
+        self._open = tag
+        self.texts += [
+            text or "" for name, text in attrs if name in ("aria-label", "title", "alt", "placeholder")
+        ]
+
+    def handle_data(self, data: str) -> None:
+        """As `HTMLParser` has it."""
+        if self._open not in ("script", "style"):
+            self.texts.append(data)
+
+
+def plain_texts(text: str) -> set[str]:
+    """What a page in pseudo-English, which has dots at the end of words, shows in another language."""
+    return plain_of(_Shown(text).texts)
+
+
+def plain_of(texts: Iterable[str]) -> set[str]:
+    """Those of some texts that are in no pseudo-English."""
+    return {" ".join(text.split()) for text in texts if re.search("[A-Za-z]{2}", text) and "·" not in text}

@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 
 import sim
 from app.features.instruments.arrows import KINDS, MAX_ARROWS, Arrows, encode, negligible
-from app.features.instruments.messages import Tools
+from app.features.instruments.messages import PutBack, Tools
 from app.features.instruments.panel import MAX_TRACES, ORDER, ToolsPanel
+from app.features.lesson.messages import BeginStep
 from app.session import commands
 from app.session.session import Session
+from app.wire.from_page import Perform
+from sim.scene.lesson import Lesson, Step
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import Client, page_of
@@ -210,3 +214,34 @@ def test_the_stroboscope_has_an_interval_and_bears_any_text() -> None:
         page.enter("Stroboscope", label)
         page.frames(1)
         assert page.client.mail.last(Tools).strobe == interval
+
+
+def test_another_scene_begins_without_plots_arrows_and_instruments_and_a_lesson_with_its_own() -> None:
+    step = Step(title="A", do="B", plots=("body.y",))
+    lesson = msgspec.structs.replace(sim.load_scene("rod"), name="lesson", lesson=Lesson(steps=(step,)))
+    page = WholePage("ring")
+
+    def put_up() -> None:
+        page.frames(2, Perform("plot"))
+        page.gui["Forces"].enter(True)
+        page.enter("Stroboscope", "every 0.1 s")
+
+    def shown() -> tuple[int, object, float, int]:
+        mail, tab = page.client.mail, page.tab.probe()
+        back = [one for one in mail.sent if isinstance(one, PutBack)]
+        return len(tab.plots), page.gui["Forces"].value, mail.last(Tools).strobe, len(back)
+
+    put_up()
+    assert shown() == (1, True, 0.1, 0)
+    ring = msgspec.structs.replace(sim.load_scene("ring"), gravity=(0.0, 9.0))
+    page.shown(commands.Reset(), commands.SetValue("gravity", 3.0), commands.Undo(), commands.Open(ring))
+    assert shown() == (1, True, 0.1, 0)
+    page.shown(commands.Open(sim.load_scene("rod")))
+    assert shown() == (0, False, 0.0, 1)
+    put_up()
+    page.shown(commands.Open(lesson))
+    page.shown(BeginStep(0))
+    assert shown() == (0, False, 0.0, 2)
+    assert "body.y" in page.gui.text("Lesson")
+    page.shown(commands.Open(ring))
+    assert shown() == (0, False, 0.0, 3), "nor does what stood beside the lesson before come back"

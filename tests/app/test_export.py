@@ -25,6 +25,7 @@ from app.export.formats import FORMATS
 from app.session import commands
 from app.session.session import Session
 from app.stage.plan import Picture
+from app.words import language, speaking
 from sim.errors import InputError
 from sim.scene.types import Damage
 from tests.app.clips import swing
@@ -334,3 +335,14 @@ def test_the_worker_does_one_thing_after_the_other_and_survives_a_defect() -> No
     shop.submit(last.set)
     assert last.wait(10.0)
     assert done == [1, 2]
+
+
+def test_the_worker_speaks_the_language_of_whoever_has_work_for_it() -> None:
+    said: list[str] = []
+    shop, last = BackgroundWorker(), threading.Event()
+    with speaking("de"):
+        shop.submit(lambda: said.append(language()))
+    shop.submit(lambda: said.append(language()))
+    shop.submit(last.set)
+    assert last.wait(10.0)
+    assert said == ["de", "en"]

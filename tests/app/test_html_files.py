@@ -12,8 +12,9 @@ import sim
 from app.export.clip import Clip
 from app.export.live.live import live_html
 from app.export.replay import replay_html
+from app.words import PSEUDO, speaking
 from tests.app.clips import swing
-from tests.app.html_pages import WICKED, Page
+from tests.app.html_pages import WICKED, Page, plain_texts
 
 ROPE = sim.rope(masses=5, length=200.0)
 Make = Callable[[sim.Scene], bytes]
@@ -46,3 +47,23 @@ def test_what_comes_from_a_scene_is_text(make: Make) -> None:
         assert page.parts["title"] == page.parts["h1"] == [title]
         assert text.count("</script") == plain.tags.count("script")
         assert "&lt;/script&gt;&lt;script&gt;" in text
+
+
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    [("replay", "rope"), ("live", "tutorial-3.3"), ("live", "hopper"), ("live", "lesson-hooke")],
+)
+def test_a_file_is_in_the_language_that_is_spoken(kind: str, name: str) -> None:
+    scene = ROPE if kind == "replay" else sim.load_scene(name)
+    with speaking(PSEUDO):
+        text = MAKERS[kind](scene).decode()
+    assert f'<html lang="{PSEUDO}">' in text
+    assert plain_texts(text) <= {scene.title or scene.name, scene.description}
+
+
+def test_a_file_has_the_texts_only_of_what_its_body_has() -> None:
+    texts = {
+        name: MAKERS["live"](sim.load_scene(name)).decode() for name in ("rope", "buggy", "lesson-hooke")
+    }
+    for words, owner in (("live-keys-motors", "buggy"), ("live-left-line", "lesson-hooke")):
+        assert [name for name, text in texts.items() if f"{words} =" in text] == [owner]

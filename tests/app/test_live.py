@@ -28,7 +28,7 @@ from sim.scene.lesson import Lesson, Step
 from sim.settings import apply_assignments, set_value
 from sim.store.files import list_scenes
 from tests.amount import NIGHT, part_of
-from tests.app.command import Softrod
+from tests.app.command import Softrod, refused
 from tests.app.html_pages import held
 from tests.page.check import FOLDER, NODE
 from tests.sim.changes import with_joints, with_springs
@@ -332,6 +332,12 @@ def test_held_keys_steer_motors_as_in_the_solver() -> None:
     assert ways[0] > ways[1] + 5.0
 
 
+@pytest.mark.parametrize(("name", "has"), [("buggy", True), ("hopper", True), ("worm", False)])
+def test_only_files_of_bodies_with_motors_or_forces_of_keys_draw_them(name: str, has: bool) -> None:
+    data = live_html(sim.Simulation(sim.load_scene(name)).capture())[0].decode()
+    assert ("drivenArrows" in data) == has
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_held_keys_work_muscles_and_forces_as_in_the_solver(method: str) -> None:
     scene = by(sim.load_scene("hopper"), method)
@@ -450,3 +456,10 @@ def test_the_command_writes_a_file_and_says_what_it_cannot_do(tmp_path: Path, so
     assert made.returncode == 0
     assert "velocity Verlet" in made.stderr
     assert about_of((tmp_path / "cloth.html").read_bytes())["method"] == "verlet"
+
+
+def test_the_command_writes_a_file_in_a_language_that_is_known(tmp_path: Path, softrod: Softrod) -> None:
+    file = tmp_path / "rope.html"
+    assert softrod("export", "rope", "--live", file, "--lang", "de").returncode == 0
+    assert "Weitere Regler" in file.read_text(encoding="utf-8")
+    refused(softrod("export", "rope", "--live", file, "--lang", "xx"), "softrod speaks en (English)")

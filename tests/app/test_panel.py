@@ -11,6 +11,7 @@ import sim
 from app.features.solver.panel import REFERENCE_LABEL
 from app.session import commands
 from app.session.ghost import REFERENCE
+from app.session.notices import Notice
 from app.viser_inside import element_id
 from app.wire.from_page import Perform
 from app.wire.to_page import ControlLook, PageState
@@ -268,3 +269,13 @@ def test_what_is_wrong_with_a_scene_s_list_of_controls_is_said_once() -> None:
     assert "there is no control called 'kees'" in notice.text
     page.shown(Perform("dark"))  # the panel is made anew
     assert len(page.notices) == 1
+
+
+def test_a_notice_is_there_for_as_long_as_it_takes_to_read_it() -> None:
+    page = WholePage("rod")
+    for text in ("", 500 * "x"):
+        page.tab.notify(Notice("error", "Title", text))
+    page.tab.notify(Notice("error", "It exploded", "", "runaway"))
+    page.session.notice_still_applies = lambda about: True
+    page.frames(1)
+    assert [notice.auto_close_seconds for notice in page.notices] == pytest.approx([8.3, 38.3, None])

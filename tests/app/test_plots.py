@@ -357,7 +357,7 @@ def test_the_lists_of_the_tab_bear_any_text_and_there_is_room_for_four_plots(mea
     measure.tick()
     assert len(panel.plots.specs) == MAX_PLOTS
     assert "room for 4 plots" in told[-1].text
-    # Another scene keeps what it has, too; one without joints keeps nothing.
+    # Another body keeps what it has, too; one without joints keeps nothing.
     for scene, count in ((sim.load_scene("tutorial-3.3"), MAX_PLOTS), (sim.rope(3, joints=False), 0)):
         page.frames(1, commands.Open(scene))
         panel.build()

@@ -9,6 +9,7 @@ import pytest
 
 import sim
 from app.export.teacher_sheet import sheet_html
+from app.words import PSEUDO, speaking
 from sim.errors import InputError
 
 
@@ -49,3 +50,11 @@ def test_what_a_scene_says_is_text_in_it() -> None:
 def test_a_scene_without_a_lesson_has_none() -> None:
     with pytest.raises(InputError, match="rope has no lesson"):
         sheet_html(sim.load_scene("rope"))
+
+
+def test_it_is_in_the_language_that_is_spoken() -> None:
+    with speaking(PSEUDO):
+        text = sheet_html(sim.load_scene("lesson-hooke")).decode()
+    said = re.findall(r"<(?:title|dt|p)>(.*?)</(?:title|dt|p)>", text, re.DOTALL)
+    assert len(said) > 20
+    assert all("·" in one for one in said)

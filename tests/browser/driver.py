@@ -463,7 +463,7 @@ class Desk:
         """Open the gallery, and wait until its cards are there."""
         self.page.keyboard.press("o")
         dialog = self.page.get_by_role("dialog", name="Scenes")
-        dialog.locator(".softrod-card").first.wait_for()
+        dialog.locator(".softrod-card:visible").first.wait_for()
         return dialog
 
     def card(self, name: str) -> Locator:

@@ -17,7 +17,7 @@ from sim.edit.edit import Edit, Selection
 from sim.store import files
 from tests.amount import NIGHT
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk, Point
+from tests.browser.driver import Desk, Point, box_of
 
 SMALL = (820, 620)
 COUNT = ".softrod-edit-count"
@@ -153,6 +153,17 @@ def test_a_joint_is_put_into_a_corner_and_turned_by_its_knob(open_page: OpenPage
     )
     page.mouse.dblclick(*beside(desk, 12, -16.0, 12.0))
     desk.until(lambda: rests_at() == pytest.approx(rest, abs=0.1), "it rests at the present one")
+
+
+def test_the_view_stands_when_a_selection_makes_the_bar_higher(open_page: OpenPage) -> None:
+    desk = paused(open_page, size=(1280, 800))
+    tool(desk, "Select")
+    bar = desk.page.locator(".softrod-edit-bar")
+    seen, low = desk.camera(), box_of(bar)["height"]
+    desk.page.keyboard.press("Control+a")
+    desk.until(lambda: box_of(bar)["height"] > low + 20.0, "the bar has another row")
+    desk.pause(0.3)  # in which the size of the canvas and of what covers it is looked at
+    assert desk.camera().same(seen)
 
 
 def _extended(moment: sim.Moment, mass: int, dx: float, dy: float) -> Edit:

@@ -155,10 +155,20 @@ def test_one_group_is_chosen_by_keys_and_searched(open_page: OpenPage) -> None:
     dialog.get_by_role("radio", name="Your own").check()
     assert titles(desk) == []
     dialog.get_by_label("Find a scene").fill("")
+    dialog.get_by_role("radio", name="Lessons").check()
     dialog.get_by_role("button", name="New, from nothing").click()
     desk.until(lambda: desk.session.scene.name == "empty", "one begins with nothing")
-    # The next time all are there.
+    # The next time it is where it was left: in its group, and at the same place among all of them.
+    assert len((desk.gallery(), titles(desk))[1]) == len(lessons)
+    dialog.get_by_role("radio", name="All", exact=True).check()
+    body = dialog.locator(".softrod-dialog-body")
+    body.evaluate("element => element.scrollTo(0, 700)")
+    desk.until(lambda: body.evaluate("element => element.scrollTop") == 700, "it is further down")
+    desk.page.evaluate("() => new Promise(requestAnimationFrame)")
+    desk.page.keyboard.press("Escape")
+    dialog.wait_for(state="hidden")
     assert len((desk.gallery(), titles(desk))[1]) == every
+    assert body.evaluate("element => element.scrollTop") == 700
 
 
 def test_over_a_phone_s_canvas_are_the_scene_s_name_and_what_finds_anything(open_page: OpenPage) -> None:

@@ -11,6 +11,8 @@ from playwright.sync_api import Page
 
 import sim
 from app.export.live.live import live_html
+from app.words import PSEUDO, speaking
+from tests.app.html_pages import held, plain_of
 from tests.browser.conftest import Visits
 from tests.browser.driver import Point, until
 
@@ -69,8 +71,29 @@ def test_a_mass_is_dragged_and_the_body_follows(open_file: Open) -> None:
 def test_a_buggy_is_driven(by: str, open_file: Open) -> None:
     page = open_file("buggy")
     x = number(page, "positions[0]")
+    page.evaluate("""() => {
+      window.strokes = {};
+      const { prototype } = CanvasRenderingContext2D, { stroke } = prototype, Path = Path2D;
+      window.Path2D = class extends Path { constructor(d) { super(d); this.d = d; } };
+      prototype.stroke = function (path) {
+        if (path?.d?.includes("A")) strokes[this.globalAlpha] = path.d;
+        return stroke.call(this, path);
+      };
+    }""")
+    until(
+        page, lambda: page.evaluate("Object.keys(strokes).some((alpha) => alpha < 1)"), "pale arcs are drawn"
+    )
+    assert not page.evaluate("strokes[1]"), "none of a motor that rests"
     hold(page, "right", by)
     until(page, lambda: number(page, "positions[0]") > x + 30.0, "it drives to the right")
+    clockwise = page.evaluate("[...strokes[1].matchAll(/A\\S+ \\S+ 0 1 (\\d)/g)].map(([, way]) => way)")
+    assert clockwise == ["1", "1"]
+    page.evaluate("__softrod.now().body.motors.forEach((motor) => (motor[1] *= -1))")
+    until(
+        page,
+        lambda: " 0 1 0 " in page.evaluate("strokes[1]"),
+        "as a slider may have it, they turn the other way",
+    )
     let_go(page, "right")
     until(page, lambda: number(page, "steered[0]") == 0.0, "it is let go")
 
@@ -253,3 +276,33 @@ def test_a_lesson_runs_what_it_asked_about(visit: Visits, tmp_path: Path) -> Non
     until(page, lambda: page.evaluate(gravity) == 1000.0, "the next step begins as it says")
     page.get_by_role("button", name="Just as long").click()
     until(page, lambda: page.evaluate(hangs) > 360.0, "the mass is let go from far below")
+
+
+SHOWN = """() => [...document.querySelectorAll("body *")]
+  .filter((one) => !one.matches("script, style, noscript *, output, option, code"))
+  .filter((one) => !one.matches(".softrod-close, .softrod-lesson :not(.softrod-line)"))
+  .flatMap((one) => [...[...one.childNodes].filter(({ nodeType }) => nodeType === 3).map(({ data }) => data),
+    ...["aria-label", "title"].map((name) => one.getAttribute(name) ?? "")])"""
+"""What a file shows and says, but for numbers, choices, and what the page's dialogs and lessons show, too."""
+
+
+def test_a_file_says_all_in_its_language(visit: Visits, tmp_path: Path) -> None:
+    path, scene = tmp_path / "lesson.html", sim.load_scene("lesson-hooke")
+    with speaking(PSEUDO):
+        path.write_bytes(live_html(sim.Simulation(scene).capture())[0])
+    page = visit(path.as_uri())
+    until(page, lambda: page.evaluate("Boolean(window.__softrod)"), "the file's script has begun")
+    about = held(path.read_text(encoding="utf-8"), "about")
+    own = {scene.title, scene.description, *(setting["label"] for setting in about["settings"])}
+    shown: list[str] = page.evaluate(SHOWN)
+    page.locator("#answers summary").click()
+    page.get_by_role("button", name="200 px").click()
+    page.locator(".softrod-first").first.click()
+    until(page, lambda: page.evaluate("__softrod.now().body.time > 1"), "it moves")
+    page.keyboard.press("?")
+    shown += page.evaluate(SHOWN)
+    page.evaluate("__softrod.now().clock.advance(1, 500, [], { factor: 1, angle: 0 })")
+    until(page, page.locator("#stopped").is_visible, "it explodes")
+    shown += page.evaluate(SHOWN)
+    assert {text for text in plain_of(shown) if not text.startswith("spring0.elongation")} <= own
+    assert len({text for text in shown if "·" in text}) > 40

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 
 import numpy as np
 import pytest
@@ -284,6 +285,30 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
     assert canvas["y"] + canvas["height"] <= box["y"] + 1.0
     assert box["y"] + box["height"] <= 700.0
     desk.picture("paper-lesson.png")
+
+
+def test_four_plots_stand_below_the_body_on_one_page(open_page: OpenPage) -> None:
+    desk = open_page("rope", size=(703, 1032))
+    desk.page.keyboard.press("g")
+    desk.show("Measure")
+    for _ in range(3):
+        desk.button("New plot").click()
+    charts = desk.page.locator(".softrod-panel svg.softrod-chart path.softrod-chart-line")
+    desk.until(lambda: charts.count() >= 4, "four are drawn")
+    printed = desk.page.pdf(format="A4", prefer_css_page_size=True)
+    assert len(re.findall(rb"/Type\s*/Page\b(?!s)", printed)) == 1
+    desk.page.emulate_media(media="print")
+    figures = desk.page.locator(".softrod-paper-plots figure")
+    desk.until(lambda: figures.count() == 4, "they are on paper")
+    body = box_of(desk.page.locator("canvas").first)
+    boxes = [box_of(figures.nth(i)) for i in range(4)]
+    tops = [body["y"] + body["height"], *(box["y"] + box["height"] for box in boxes)]
+    assert body["height"] > 200.0
+    for box, above in zip(boxes, tops, strict=False):
+        assert box["y"] >= above - 1.0
+        assert box["width"] > 700.0
+        assert box["height"] > 140.0
+    assert tops[-1] <= 1033.0
 
 
 def test_what_is_said_over_the_body_covers_no_mass(open_page: OpenPage) -> None:

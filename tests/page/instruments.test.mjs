@@ -1,7 +1,7 @@
 // What ruler, protractor and stopwatch read, where they are, how they are moved, and what is kept of them.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { heard, key, pass, point, show } from "./page.mjs";
+import { heard, key, pass, point, show, tell } from "./page.mjs";
 import { addOverlay } from "../../app/stage/overlay.js";
 import * as shapes from "../../app/features/instruments/shapes.js";
 import { addInstruments } from "../../app/features/instruments/toolbox.js";
@@ -191,4 +191,12 @@ test("an instrument is dragged out of the box, by its end onto a mass, and throw
   assert.match(read("Ruler"), /^Ruler: 270.0/, "neither by the second button nor by another pointer");
   drag(document.querySelector(".softrod-instrument-body"), { x: 300, y: 200 }, IN_BOX);
   assert.deepEqual([read("Ruler"), RULER.ariaPressed, keptKinds()], ["", "false", []]);
+});
+
+test("another scene finds all instruments in the box", () => {
+  show([[100, 100], [500, 400]]);
+  click(STOPWATCH);
+  assert.deepEqual(keptKinds(), ["stopwatch"]);
+  tell("putBack");
+  assert.deepEqual([keptKinds(), read("Stopwatch"), STOPWATCH.ariaPressed], [[], "", "false"]);
 });

@@ -71,7 +71,8 @@ function isOne(element, compound) {
     if (tag) return element.localName === tag;
     if (name) return element.classList.contains(name);
     if (not) return !isOne(element, not);
-    if (state) return document.activeElement === element && (state === "focus" || byKeys);
+    if (state === "focus-within") return element.contains(document.activeElement);
+    if (state) return state !== "hover" && document.activeElement === element && (state === "focus" || byKeys);
     const has = element.getAttribute(attribute);
     return value === undefined ? has !== null : begins ? (has ?? "").startsWith(value) : has === value;
   });
@@ -220,6 +221,7 @@ const storage = () => {
 const globals = {
   window, document, Event, PointerEvent, KeyboardEvent, MessageEvent, Element, HTMLElement, HTMLInputElement, SVGElement,
   Node: Element, DOMRect: class { left = 0; right = 0; }, localStorage: storage(), sessionStorage: storage(), location: { search: "" },
+  innerWidth: window.innerWidth, innerHeight: window.innerHeight,
   requestAnimationFrame: (draw) => frames.push(draw),
   matchMedia: () => ({ matches: false }),
   getComputedStyle: () => ({ fontSize: "14px" }),

@@ -26,6 +26,7 @@ _FEATURES: dict[str, Callable[[Scene], bool]] = {
     "HAS_STEERING": lambda scene: bool(steered_by(scene)),
     "HAS_PUSHES": is_pushed,
     "HAS_EFFORTS": _has_efforts,
+    "HAS_DRIVEN": lambda scene: has_motors(scene) or is_pushed(scene),
 }
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import msgspec
@@ -16,6 +16,7 @@ from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 
 from ...lessons import goal_text, lesson_code
 from ...session.plots import PlotSpec, parse_plot
+from ...words import listed, say
 from .sliders import KEYS, TUTORIAL
 
 MEASURED = frozenset(
@@ -177,7 +178,7 @@ def scenes_of_runs(scene: sim.Scene) -> list[sim.Scene]:
 
 
 def lesson_notes(scene: sim.Scene) -> list[str]:
-    """What a file leaves out of a scene's lesson: sentences without a full stop."""
+    """What a file leaves out of a scene's lesson: see `live-notes` of `app/words`."""
     steps = scene.lesson.steps if scene.lesson is not None else ()
     begins = list(zip(steps, scenes_of_steps(scene), strict=True))
     named = {**SETTINGS, **CHOICES}
@@ -186,21 +187,15 @@ def lesson_notes(scene: sim.Scene) -> list[str]:
     plots = {text for step, at in begins for text in step.plots or () if not _is_drawn(parse_plot(text), at)}
     notes = []
     if missing:
-        notes.append(f"the lesson has no control of {listed(sorted(missing))}")
+        notes.append(say("live-note-controls", settings=listed(sorted(missing))))
     if plots:
-        notes.append(f"plots of {listed(sorted(plots))} are left out")
+        notes.append(say("live-note-plots", quantities=listed(sorted(plots))))
     if any(step.ghost for step in steps):
-        notes.append("there is no second body to compare with")
+        notes.append(say("live-note-ghost"))
     if any(step.arrows for step in steps):
-        notes.append("there are no arrows")
+        notes.append(say("live-note-arrows"))
     if any(step.goal is not None and not is_measured(step.goal.quantity, at) for step, at in begins):
-        notes.append("some goals are not judged")
+        notes.append(say("live-note-goals"))
     if any(step.collect is not None for step in steps):
-        notes.append("no run is handed in")
+        notes.append(say("live-note-runs"))
     return notes
-
-
-def listed(words: Iterable[str]) -> str:
-    """Some words as a part of a sentence."""
-    *first, last = words
-    return f"{', '.join(first)} and {last}" if first else last

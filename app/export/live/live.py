@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -18,23 +18,34 @@ from sim.scene.types import keys_of, shown_name
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
+from ...words import listed, say
+from ...words.keys import Key
 from ..body.features import features_of
 from ..body.program import check_forces
 from ..clip import ClipFrame
-from ..html_file import Bar, html_file, icon, packed, plans, speed_options, stage
+from ..html_file import Bar, html_file, icon, packed, plans, said, speed_options, stage
 from .data import body_data
-from .lesson import derived_of, lesson_data, lesson_notes, listed, scenes_of_runs, scenes_of_steps
+from .lesson import derived_of, lesson_data, lesson_notes, scenes_of_runs, scenes_of_steps
 from .sliders import TUTORIAL, missing_labels, sliders
 
 DARK = "[data-dark]*"
 """Selects dark paper, see `static/dark.js`."""
 
-_ARROWS = [
-    ("left", "←", "Left: rest angles less"),
-    ("up", "↑", "Up: longer"),
-    ("down", "↓", "Down: shorter"),
-    ("right", "→", "Right: rest angles more"),
+_ARROWS: list[tuple[str, str, Key]] = [
+    ("left", "←", "live-arrow-left"),
+    ("up", "↑", "live-arrow-up"),
+    ("down", "↓", "live-arrow-down"),
+    ("right", "→", "live-arrow-right"),
 ]
+"""The arrow keys, each with its sign and what it does."""
+
+_WORKS: dict[str, Key] = {
+    "left": "live-arrow-left.works",
+    "up": "live-arrow-up.works",
+    "down": "live-arrow-down.works",
+    "right": "live-arrow-right.works",
+}
+"""What says what an arrow key does to what keys work."""
 
 _FOLDER = Path(__file__).parent / "static"
 _APP = Path(__file__).parents[2]
@@ -42,7 +53,7 @@ _APP = Path(__file__).parents[2]
 
 
 def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[str]]:
-    """The file, in UTF-8, and what it cannot do: sentences without a full stop.
+    """The file, in UTF-8, and what it cannot do: sentences without a full stop, in the language spoken now.
 
     Args:
         moment: in which the body begins.
@@ -56,41 +67,45 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     check_forces(scene, "a live file")
     title = html.escape(shown_name(scene))
     has = features_of(scene, *scenes_of_steps(scene), *scenes_of_runs(scene))
-    has["HAS_DERIVED"] = bool(derived_of(scene))
-    style, script = _looks(), _script(*(name for name, needed in has.items() if needed))
+    has |= {"HAS_DERIVED": bool(derived_of(scene)), "HAS_LESSON": scene.lesson is not None}
+    style, script = _looks(has["HAS_LESSON"]), _script(*(name for name, needed in has.items() if needed))
     notes = _notes(scene)
-    note = f"In this file {'; '.join(notes)}." if notes else ""
+    note = say("live-notes", notes="; ".join(notes)) if notes else ""
     play, reset = icon(play=ICONS["play"], pause=ICONS["pause"]), icon(reset=ICONS["reset"])
     arrows = "".join(
-        f'<button type="button" data-softrod-key="{key}" aria-label="{label}">{sign}</button>'
+        f'<button type="button" data-softrod-key="{key}" aria-label="{html.escape(label)}">{sign}</button>'
         for key, sign, label in _arrows(scene)
     )
+    card = charts = folds = ""
+    if has["HAS_LESSON"]:
+        lesson, answers = said("live-lesson"), said("live-answers")
+        card = f'<section id="lesson" class="softrod-lesson" aria-label="{lesson}"></section>\n'
+        charts = '<div id="charts"></div>\n'
+        folds = f'<details id="answers" hidden><summary>{answers}</summary></details>\n'
+    follow = f'aria-label="{said("live-follow.hint")}" aria-pressed="false"'
     body = f"""<main class="stage">
 <canvas id="canvas" tabindex="0" role="application" aria-label="{title}"></canvas>
 <div id="hud"></div>
 <div id="stopped" role="alert" hidden>
-<strong>The body exploded</strong>
+<strong>{said("live-exploded")}</strong>
 <p id="cause"></p>
-<button id="back" type="button">Go back to before it</button>
+<button id="back" type="button">{said("live-back")}</button>
 </div>
 </main>
-<aside aria-label="Controls and numbers">
-<section id="lesson" class="softrod-lesson" aria-label="Lesson"></section>
-<div id="sliders"></div>
-<div id="charts"></div>
-<details id="others" hidden><summary>More sliders</summary></details>
+<aside aria-label="{said("live-side")}">
+{card}<div id="sliders"></div>
+{charts}<details id="others" hidden><summary>{said("live-others")}</summary></details>
 <div id="numbers"></div>
-<details id="answers" hidden><summary>Hand in your answers</summary></details>
-</aside>
+{folds}</aside>
 <div class="bar">
-<button id="play" type="button" data-icon="play" aria-label="Play">{play}</button>
-<button id="step" type="button" aria-label="One step">+1</button>
-<button id="reset" type="button" aria-label="Reset">{reset}</button>
-<select id="speed" aria-label="Speed">{speed_options()}</select>
-<button id="follow" type="button" aria-label="Follow the pointer" aria-pressed="false">Follow</button>
+<button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{play}</button>
+<button id="step" type="button" aria-label="{said("live-step")}">+1</button>
+<button id="reset" type="button" aria-label="{said("live-reset")}">{reset}</button>
+<select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
+<button id="follow" type="button" {follow}>{said("live-follow")}</button>
 <div id="pad" hidden>{arrows}</div>
 <output id="clock"></output>
-<button id="view" type="button" aria-label="View and keys">?</button>
+<button id="view" type="button" aria-label="{said("live-view")}">?</button>
 </div>
 <p id="says" class="hidden" role="status"></p>"""
     return html_file(
@@ -102,7 +117,7 @@ def _arrows(scene: sim.Scene) -> list[tuple[str, str, str]]:
     """The arrow keys of the pad, those that do anything: each with its sign and what it does."""
     known, works = keys_of(scene), scene.arrow_keys is None
     return [
-        (key, sign, f"{key.capitalize()}: {_worked_by(scene, key)}" if works else does)
+        (key, sign, say(_WORKS[key], work=_worked_by(scene, key)) if works else say(does))
         for key, sign, does in _ARROWS
         if key in known
     ]
@@ -111,15 +126,17 @@ def _arrows(scene: sim.Scene) -> list[tuple[str, str, str]]:
 def _worked_by(scene: sim.Scene, key: str) -> str:
     """What an arrow key does to what keys work."""
     springs, joints = scene.linear_springs, scene.angular_springs
-    worked = {
-        "turn the motors": [joint.motor for joint in joints],
-        "work the muscles": [part.muscle for part in (*springs, *joints) if scene.beat],
-        "push masses": scene.masses,
+    worked: dict[Key, Sequence[Any]] = {
+        "live-work-motors": [joint.motor for joint in joints],
+        "live-work-muscles": [part.muscle for part in (*springs, *joints) if scene.beat],
+        "live-work-forces": scene.masses,
     }
-    return " and ".join(
-        does
-        for does, parts in worked.items()
-        if any(part and part.keys and key in part.keys.split("-") for part in parts)
+    return listed(
+        [
+            say(does)
+            for does, parts in worked.items()
+            if any(part and part.keys and key in part.keys.split("-") for part in parts)
+        ]
     )
 
 
@@ -130,9 +147,10 @@ def early_script() -> str:
 
 
 @cache
-def _looks() -> str:
+def _looks(has_lesson: bool) -> str:
     """The styles."""
-    shared = ("export/static/file.css", "ui/dialogs.css", "features/lesson/lesson.css")
+    lesson = ["features/lesson/lesson.css"] if has_lesson else []
+    shared = ("export/static/file.css", "ui/dialogs.css", *lesson)
     files = (*(_APP / name for name in shared), _FOLDER / "live.css")
     return f"{style_rules(DARK)}\n{compact_style(*files)}"
 
@@ -140,7 +158,10 @@ def _looks() -> str:
 @cache
 def _script(*features: str) -> str:
     """The script of scenes with these features and no others."""
-    return bundle(_FOLDER / "live.js", {name: name in features for name in (*features_of(), "HAS_DERIVED")})
+    return bundle(
+        _FOLDER / "live.js",
+        {name: name in features for name in (*features_of(), "HAS_DERIVED", "HAS_LESSON")},
+    )
 
 
 def _about(moment: sim.Moment, has: Mapping[str, bool]) -> dict[str, Any]:
@@ -177,15 +198,15 @@ def _per_second(scene: sim.Scene, key: str) -> dict[str, float]:
 
 
 def _notes(scene: sim.Scene) -> list[str]:
-    """How the file differs from softrod: sentences without a full stop."""
+    """How the file differs from softrod: see `live-notes` of `app/words`."""
     notes = []
     begins = scenes_of_steps(scene)
     if any(at.integrator.method != TUTORIAL for at in (scene, *begins)):
-        notes.append("the body moves by velocity Verlet, without error control")
+        notes.append(say("live-note-verlet"))
     if scene.bodies:
-        notes.append("the shape of the body is fixed")
+        notes.append(say("live-note-shape"))
     if missing := missing_labels(scene):
-        notes.append(f"there is no slider for {listed(missing)}")
+        notes.append(say("live-note-sliders", settings=listed(missing)))
     if scene.lesson is not None:
         notes += lesson_notes(scene)
     return notes

@@ -16,8 +16,14 @@
  */
 import { loadArrows } from "../../stage/arrow_shapes.js";
 import { NODES, toWorld } from "../../stage/draw.js";
+// ifdef HAS_DRIVEN
+import { drivenArrows } from "../../stage/driven_arrows.js";
+// endif
 import { moving, standing, streaks } from "../../stage/environment.js";
 import { ARROW, LAYERS, MARGIN } from "../../stage/looks.js";
+// ifdef HAS_DRIVEN
+import { RESTS } from "../../stage/looks.js";
+// endif
 
 /** Size, in units of the world, below which an instance is left out; those that have vanished are half as large. */
 const UNSEEN = 2e-6;
@@ -72,7 +78,6 @@ export function screenOf({ box: [left, right, low, high] }, canvas) {
  * Draw a body.
  *
  * @param {Stage} stage @param {HTMLCanvasElement} canvas @param {Shown} shown
- * @returns what draws over it: the canvas, the masses and the world in it, and colours by name
  */
 export function paint(stage, canvas, { plan, frame, damage }) {
   const to = canvas.getContext("2d");
@@ -112,5 +117,14 @@ export function paint(stage, canvas, { plan, frame, damage }) {
     to.stroke(arrows);
     to.fill(arrows);
   }
-  return { to, places, on, color };
+  // ifdef HAS_DRIVEN
+  if (plan.motors.length || plan.pushes.length) {
+    const { works, rests } = drivenArrows(plan, frame, places, on.step);
+    Object.assign(to, { strokeStyle: color("force"), lineWidth: ARROW, lineCap: "round", lineJoin: "round" });
+    to.stroke(new Path2D(works));
+    to.globalAlpha = RESTS;
+    to.stroke(new Path2D(rests));
+    to.globalAlpha = 1;
+  }
+  // endif
 }

@@ -10,10 +10,9 @@
  * @property {number[]} damages the frame from which on each is valid
  * @typedef {import("./paint.js").Stage & Moving} About what the file says
  */
-import { drivenArrows } from "../../stage/driven_arrows.js";
-import { ARROW, RESTS } from "../../stage/looks.js";
 import { between, readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
 import { sections } from "../../wire/unpack.js";
+import { say } from "../../words/words.js";
 import { paint } from "./paint.js";
 import { element, unpacked } from "./parts.js";
 
@@ -44,20 +43,6 @@ function readMotion(about, data) {
   };
 }
 
-/**
- * Draw what motors and keys do. Live files have none, so it is not a part of `paint`.
- *
- * @param {ReturnType<typeof paint>} over @param {import("./paint.js").Shown} shown
- */
-function strokeDriven({ to, places, on, color }, { plan, frame }) {
-  if (!(plan.motors.length || plan.pushes.length)) return;
-  const { works, rests } = drivenArrows(plan, frame, places, on.step);
-  Object.assign(to, { strokeStyle: color("force"), lineWidth: ARROW, lineCap: "round", lineJoin: "round" });
-  to.stroke(new Path2D(works));
-  to.globalAlpha = RESTS;
-  to.stroke(new Path2D(rests));
-}
-
 /** @param {About} about @param {ReturnType<typeof readMotion>} motion */
 function player(about, motion) {
   const play = element("play", HTMLButtonElement);
@@ -71,7 +56,7 @@ function player(about, motion) {
   const night = matchMedia("(prefers-color-scheme: dark)");
   const draw = () => {
     const shown = motion.at(time, night.matches);
-    strokeDriven(paint(about, canvas, shown), shown);
+    paint(about, canvas, shown);
     return shown.frame;
   };
   const show = () => {
@@ -80,7 +65,7 @@ function player(about, motion) {
     clock.value = `${frame.time.toFixed(2)} s`;
     slider.setAttribute("aria-valuetext", clock.value);
     play.dataset.icon = playing ? "pause" : time >= seconds ? "again" : "play";
-    play.ariaLabel = { pause: "Pause", again: "Play again", play: "Play" }[play.dataset.icon] ?? "";
+    play.ariaLabel = say(playing ? "live-pause" : time >= seconds ? "replay-again" : "live-play");
   };
   /** @param {number} now ms */
   const next = (now) => {
@@ -141,6 +126,6 @@ try {
   player(given, readMotion(given, await unpacked(JSON.parse(text))));
 } catch (error) {
   const said = document.querySelector("[role=alert]");
-  if (said) said.textContent = "This browser cannot play the file; a newer one can.";
+  if (said) said.textContent = say("replay-too-old");
   throw error;
 }

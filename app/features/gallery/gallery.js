@@ -51,6 +51,8 @@ class Gallery {
   /** One of them chooses the group that is shown. */
   #chips = make("div", "softrod-chips");
   #group = ALL;
+  /** Where the gallery was left: its group, and how far down. */
+  #left = { group: ALL, top: 0 };
   #fresh = makeButton(say("gallery-new"), () => this.#begin());
   #none = make("p", "softrod-none", say("gallery-none"));
   #cards = make("div", "");
@@ -60,6 +62,7 @@ class Gallery {
   constructor() {
     const { dialog, head, body } = makeDialog(say("gallery-title"), "softrod-gallery");
     this.dialog = dialog;
+    this.body = body;
     this.title = /** @type {HTMLElement} */ (head.firstElementChild);
     Object.assign(this.#search, { type: "search", placeholder: say("gallery-search"), ariaLabel: say("gallery-search") });
     head.insertBefore(this.#search, head.lastChild);
@@ -74,6 +77,10 @@ class Gallery {
     dialog.append(this.#foot);
     this.#search.addEventListener("input", () => this.#filter());
     dialog.addEventListener("keydown", (event) => this.#press(event));
+    // A closed dialog has no place any more, and that in what was searched for is none in all scenes.
+    body.addEventListener("scroll", () => {
+      if (dialog.open && !this.#picker && !this.#search.value) this.#left.top = body.scrollTop;
+    });
   }
 
   // ----------------------------------------------------------------------- the dialog
@@ -85,10 +92,11 @@ class Gallery {
     this.dialog.toggleAttribute("data-picks", picker !== undefined);
     this.title.textContent = picker?.title ?? say("gallery-title");
     this.#search.value = "";
-    this.#show(ALL);
+    this.#show(picker ? ALL : this.#left.group);
     this.#chosen = "";
     this.say();
     this.dialog.showModal();
+    this.body.scrollTop = picker ? 0 : this.#left.top;
     // On a touch screen its keyboard would cover half of them.
     if (matchMedia("(pointer: coarse)").matches) this.dialog.focus();
     else this.#search.focus();
@@ -195,6 +203,7 @@ class Gallery {
   /** Shows the scenes of one group. @param {string} group */
   #show(group) {
     this.#group = group;
+    if (!this.#picker) this.#left.group = group;
     for (const choice of this.#chips.querySelectorAll("input")) choice.checked = choice.value === group;
     this.#filter();
   }

@@ -10,6 +10,7 @@ from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from ..hands.messages import Pick
+from .messages import PutBack
 from .panel import ToolsPanel
 
 if TYPE_CHECKING:
@@ -59,6 +60,12 @@ class InstrumentsFeature(Feature):
     def detach(self) -> None:
         if self.panel is not None:
             self._remembered = self.panel.leave()
+
+    def clear(self) -> None:
+        self._remembered = frozenset()
+        self.page.mail.send(PutBack())
+        if self.panel is not None:
+            self.panel.clear()
 
     def build(self) -> None:
         if self.panel is not None:

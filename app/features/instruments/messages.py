@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ...wire.messages import Numbers, State
+from ...wire.messages import Event, Numbers, State
 from ...wire.sections import Section
 
 
@@ -22,6 +22,10 @@ class Tools(State, frozen=True, kw_only=True):
     chosen: int = -1
     coordinates: bool = False
     strobe: float = 0.0
+
+
+class PutBack(Event, frozen=True, kw_only=True):
+    """Another scene was opened: the instruments on the canvas go back into the box."""
 
 
 class Arrows(Numbers, frozen=True, kw_only=True):

@@ -75,6 +75,11 @@ class ToolsPanel:
         """The kinds of arrows that are on."""
         return frozenset(kind for kind, switch in self._switches.items() if switch.value)
 
+    def clear(self) -> None:
+        """Turn off arrows and stroboscope."""
+        self.show_arrows(frozenset())
+        self._strobe.value = next(iter(STROBE_INTERVALS))
+
     def build(self) -> None:
         """Adapt to another body: trace no mass."""
         self._chosen, self._traced = None, ()

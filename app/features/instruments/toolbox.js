@@ -280,6 +280,7 @@ export function addInstruments() {
   };
   onMessage("pageState", show);
   show();
+  onMessage("putBack", () => [...instruments.placed.keys()].forEach((kind) => instruments.remove(kind)));
   for (const { kind, points, watch } of shapes.restored(kept(STORED))) instruments.add(kind, points, watch);
   instruments.seen = sight();
   redrawMarks();

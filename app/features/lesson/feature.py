@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ToolsBeforeLesson:
-    """What a user had switched on before a lesson, and gets back after it."""
+    """What a user had switched on before a lesson, and gets back after it on the same scene."""
 
     plots: tuple[PlotSpec, ...]
     arrows: frozenset[str]
@@ -63,6 +63,10 @@ class LessonFeature(Feature):
             self._panel = LessonPanel(self.page, panel.tab("Lesson"))
             if self._is_seen is not None:
                 self._panel.plots.looked_at = self._is_seen
+
+    def clear(self) -> None:
+        """See `Feature`."""
+        self._before = None
 
     def build(self) -> None:
         """See `Feature`."""
@@ -118,7 +122,7 @@ class LessonFeature(Feature):
         )
 
     def _restore_tools(self) -> None:
-        """After a lesson, restore what was switched on before it."""
+        """After a lesson, as at the end of a step's trial, restore what was switched on before it."""
         if self._before is None:
             return
         before, self._before = self._before, None

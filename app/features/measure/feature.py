@@ -92,6 +92,9 @@ class MeasureFeature(Feature):
         if self.panel is not None:
             self._remembered = self.panel.plots.specs
 
+    def clear(self) -> None:
+        self.remember(())
+
     def build(self) -> None:
         if self.panel is not None:
             self.panel.build()

@@ -15,7 +15,7 @@ import edit from "../../features/edit/edit.js";
 import view from "../../features/view/view.js";
 import access from "../../features/access/access.js";
 import reading from "../../features/reading/reading.js";
-import hands from "../../features/hands/hands.js";
 import describe from "../../features/describe/describe.js";
+import hands from "../../features/hands/hands.js";
 
-export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, access, reading, hands, describe];
+export const FEATURES = [time, lesson, measure, instruments, fit, files, gallery, muscles, modes, race, making, edit, view, access, reading, describe, hands];

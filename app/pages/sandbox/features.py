@@ -45,8 +45,8 @@ FEATURES: tuple[type[Feature], ...] = (
     ViewFeature,
     AccessFeature,
     ReadingFeature,
-    HandsFeature,
     DescribeFeature,
+    HandsFeature,
 )
 
 COMMANDS: Mapping[str, Row] = {name: row for feature in FEATURES for name, row in feature.commands.items()}

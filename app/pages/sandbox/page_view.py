@@ -55,6 +55,7 @@ class PageView:
         self.generation = -1
         self.stillness = Stillness()
         self._planned = self._last_revision = -1  # revisions of the session
+        self._scenes = page.session.scenes
         self._was_running = True
         self._at_rest = False
         self._broken = 0
@@ -92,6 +93,10 @@ class PageView:
         self._plan()
         self._canvas.show_gizmos(self._page.looks.gizmos)
         self._panel.update(self._wanted_controls(session.scene))
+        if session.scenes != self._scenes:
+            self._scenes = session.scenes
+            for feature in self._features:
+                feature.clear()
         for feature in self._features:
             feature.build()
         self.stillness.move(session.now())

@@ -8,6 +8,7 @@
 import { element } from "../../export/static/parts.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { isFound, moveByKey } from "../../features/gallery/finding.js";
+import { say } from "../../words/words.js";
 
 /** Under this name the last search is stored, for the way back. */
 const KEY = "softrod-search";
@@ -46,8 +47,8 @@ function filter() {
     jump?.toggleAttribute("hidden", !there);
     jump?.lastElementChild?.replaceChildren(String(there));
   }
-  count.value = search.value.trim() ? `${hits.size} of ${all}` : all;
-  none.textContent = hits.size ? "" : "No scene has all of these words.";
+  count.value = search.value.trim() ? say("site-found", { found: hits.size, count: scenes.length }) : all;
+  none.textContent = hits.size ? "" : say("site-none");
   store(KEY, search.value);
 }
 
@@ -66,7 +67,7 @@ function follow() {
   if (scene !== null) {
     const to = find(scene);
     if (to) location.replace(`${to.file}.html`);
-    else none.textContent = `There is no scene called ${scene} here.`;
+    else none.textContent = say("site-unknown", { name: scene });
     return;
   }
   if (asked.has("search")) seek(asked.get("search") ?? "");

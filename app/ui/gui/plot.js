@@ -57,6 +57,22 @@ export function rangeOf(values) {
 
 /** @typedef {{label: string, stroke: string, width?: number, alpha?: number, scale: string, class?: string}} Series */
 
+/** What draws in each drawing. @type {WeakMap<Element, Plot>} */
+const drawings = new WeakMap();
+
+/**
+ * A copy of the drawing of a plot, with another width and height, px; of one that the server draws as it is.
+ *
+ * @param {Element} svg @param {number} width @param {number} height
+ */
+export function copyAt(svg, width, height) {
+  const plot = drawings.get(svg);
+  plot?.draw(width, height);
+  const copy = svg.cloneNode(true);
+  plot?.draw();
+  return copy;
+}
+
 /** A plot over time, as uPlot's properties describe it: data, series, scales and axes. */
 export class Plot extends Control {
   /** @param {import("./control.js").Declared} declared */
@@ -88,6 +104,7 @@ export class Plot extends Control {
     this.svg.addEventListener("pointerup", (event) => this.release(this.placeOf(event)));
     this.svg.addEventListener("pointercancel", () => (this.from = null));
     this.svg.addEventListener("dblclick", () => this.showPart(null));
+    drawings.set(this.svg, this);
     new ResizeObserver(() => this.draw()).observe(this.svg);
   }
 
@@ -132,9 +149,9 @@ export class Plot extends Control {
     return this.props.scales?.[scale]?.dir === -1 ? [to, from] : [from, to];
   }
 
-  draw() {
-    [this.width, this.height] = [this.svg.clientWidth, this.svg.clientHeight];
-    const { times, width, height } = this;
+  draw(width = this.svg.clientWidth, height = this.svg.clientHeight) {
+    [this.width, this.height] = [width, height];
+    const { times } = this;
     if (!(width > 0 && height > BOTTOM + TOP) || !times.length) return;
     const [low, high] = this.zoom ?? [times[0], times[times.length - 1]];
     const axes = /** @type {{scale: string, label: string, side?: number}[]} */ (this.props.axes ?? []);

@@ -20,6 +20,8 @@
  * @typedef {{left: number, top: number, width: number, height: number}} Frame px, from the corner with the least x and y
  */
 
+import { say } from "../../../words/words.js";
+
 /** How each text begins. */
 const MARK = "SR1";
 /** Letters of a text, at most; the QR code of `qr.js` has room for 154. */
@@ -87,14 +89,14 @@ export function packed({ lesson, id, turn, name, steps }, frame) {
   steps.forEach(({ places }, i) => {
     if (!places) return;
     const rounded = places.flatMap(([x, y]) => [part(x, frame.left, frame.width), part(y, frame.top, frame.height)]);
-    if (rounded.length > room()) left.push(`the prediction of step ${i + 1}`);
+    if (rounded.length > room()) left.push(say("live-left-prediction", { step: i + 1 }));
     else bytes.push((i << 1) | PLACES, rounded.length, ...rounded);
   });
   steps.forEach(({ line }, i) => {
     if (!line) return;
     const fits = bytesOf(line, Math.max(room(), 0));
     if (fits.length) bytes.push((i << 1) | LINE, fits.length, ...fits);
-    if (fits.length < bytesOf(line, Infinity).length) left.push(`${fits.length ? "the end of " : ""}the line of step ${i + 1}`);
+    if (fits.length < bytesOf(line, Infinity).length) left.push(say(fits.length ? "live-left-line.end" : "live-left-line", { step: i + 1 }));
   });
   return { text: MARK + lettersOf([...bytes, ...check(bytes)]), left };
 }

@@ -12,6 +12,7 @@
  */
 import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
+import { say } from "../../../words/words.js";
 import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
@@ -32,11 +33,12 @@ export function makeChart(plot) {
   const element = make("figure", "chart");
   const title = make("figcaption", "");
   names.forEach((name, i) => {
-    const key = make("span", "", `${name}${units[i] && `, ${units[i]}`}${turned ? ", downwards" : ""}`);
+    const quantity = name + (units[i] && `, ${units[i]}`);
+    const key = make("span", "", turned ? say("live-downwards", { quantity }) : quantity);
     key.prepend(make("i", `key-${COLORS[i % COLORS.length]}`));
     title.append(key, " ");
   });
-  if (over) title.append(make("span", "", `over ${over}${overUnit && `, ${overUnit}`}`));
+  if (over) title.append(make("span", "", say("live-over", { quantity: over + (overUnit && `, ${overUnit}`) })));
   const canvas = make("canvas", "");
   canvas.setAttribute("role", "img");
   const reading = make("p", "reading");
@@ -133,15 +135,19 @@ export function makeChart(plot) {
     const found = names.map((name) => (over ? null : record.swings(name)));
     const words = names.map((name, i) => {
       const values = curves[i], swing = found[i];
-      const told = swing ? `, period ${said(swing.period)} s, amplitude ${said(swing.amplitude)} ${units[i]}` : "";
-      if (at >= 0) return `${name} ${said(values[at])} ${units[i]}`.trim();
-      return values.length ? `${name} ${said(values[values.length - 1])} ${units[i]}${told}`.trim() : "";
+      if (!values.length) return "";
+      const reading = `${name} ${said(values[at >= 0 ? at : values.length - 1])} ${units[i]}`.trim();
+      if (at >= 0 || !swing) return reading;
+      return say("live-swing", { reading, period: said(swing.period), amplitude: `${said(swing.amplitude)} ${units[i]}`.trim() });
     });
     /** @param {"period" | "amplitude"} what */
     const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
-    const many = found.every(Boolean) ? `Periods ${of("period")} s; amplitudes ${of("amplitude")} ${units[0]}` : "";
-    reading.textContent = at >= 0 ? `At ${said(times[at])} s: ${words.join("; ")}` : names.length > 2 ? many : words.join("; ");
-    canvas.ariaLabel = words.join("; ");
+    const readings = words.join("; ");
+    if (at >= 0) reading.textContent = say("live-at", { time: said(times[at]), readings });
+    else if (names.length <= 2) reading.textContent = readings;
+    else if (!found.every(Boolean)) reading.textContent = "";
+    else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: `${of("amplitude")} ${units[0]}`.trim() });
+    canvas.ariaLabel = readings;
   }
   return { element, draw };
 }

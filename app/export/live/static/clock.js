@@ -7,6 +7,7 @@
  * @typedef {import("./steps.js").Hand} Hand
  * @typedef {import("./steps.js").Presses} Presses
  */
+import { say } from "../../../words/words.js";
 import { Past } from "./past.js";
 import { StabilityMeter } from "./stability.js";
 import { advance, METHODS } from "./steps.js";
@@ -62,7 +63,7 @@ export class Clock {
     /** How much of real time the last pictures had. */
     this.rate = 1;
     this.exploded = false;
-    /** Why it has, in words. */
+    /** Why it has, as a sentence. */
     this.cause = "";
     this.past = new Past(body);
     this.owed = 0;
@@ -158,7 +159,7 @@ export class Clock {
   /** The likely cause, as `sim/motion/divergence.py` says it: the limit is that of the body at its start, if it is passed. */
   #cause() {
     const { body, method, dt } = this;
-    if (method !== "symplectic_euler") return "It was moved or set up too violently";
+    if (method !== "symplectic_euler") return say("live-cause.violent");
     const { positions, velocities, jointStiffness, jointDamping } = body;
     const arrays = [positions, velocities, jointStiffness, jointDamping];
     const before = arrays.map((array) => array.slice());
@@ -176,10 +177,8 @@ export class Clock {
     arrays.forEach((array, i) => array.set(before[i]));
     body.refresh();
     this.meter.limit = limit;
-    if (!(dt > limit)) {
-      return "The time step is below the stability limit, but that is for small motions; it was moved or set up too violently";
-    }
-    const what = body.joints && linear > 1.2 * limit ? "angular springs set" : "linear springs set";
-    return `The time step of ${number(dt)} s is above the stability limit of ${number(limit)} s, which the ${what}`;
+    if (!(dt > limit)) return say("live-cause.small");
+    const key = body.joints && linear > 1.2 * limit ? "live-cause.angular" : "live-cause.linear";
+    return say(key, { step: number(dt), limit: number(limit) });
   }
 }

@@ -39,6 +39,7 @@
  */
 import { make, makeButton } from "../../../ui/dialog.js";
 import { LessonRun } from "../../../features/lesson/run.js";
+import { say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
 import { addHandIn, lineField } from "./hand_in.js";
 import { said } from "./readings.js";
@@ -115,7 +116,7 @@ export class Course {
   #more() {
     const { step, present } = this.run;
     this.#showGoal();
-    const line = lineField("In your own words: ", present.line, MAX_LETTERS, (text) => {
+    const line = lineField(say("live-own-words"), present.line, MAX_LETTERS, (text) => {
       present.line = text;
       this.#store(true);
     });
@@ -126,23 +127,24 @@ export class Course {
     const { run } = this;
     const { predict } = run.step;
     if (!predict) return [];
-    if (!run.isToPredict) return [make("p", "", `The thin line is your prediction for ${predict} s.`)];
-    const text = `Drag the masses to where they will be after ${predict} s. Then press the button.`;
-    const button = makeButton("It will be there", () => {
+    if (!run.isToPredict) return [make("p", "", say("live-predict.seen", { time: predict }))];
+    const button = makeButton(say("live-predict.done"), () => {
       run.present.places = this.body.places();
       run.changed();
       run.begin();
       if (!run.waits) run.focus(".softrod-lesson-do");
     }, "softrod-button softrod-first");
-    return [make("p", "", text), button];
+    return [make("p", "", say("live-predict", { time: predict })), button];
   }
 
   #showGoal() {
     const { step, present } = this.run;
     if (!step.goal) return;
     const reading = this.#record?.reading ?? NaN;
-    const now = !present.reached && Number.isFinite(reading) ? ` Now: ${said(reading)}.` : "";
-    const text = `${present.reached ? "Reached" : "Goal"}: ${step.goalText}.${now}`;
+    const goal = step.goalText;
+    let text = say("live-goal", { goal });
+    if (present.reached) text = say("live-goal.reached", { goal });
+    else if (Number.isFinite(reading)) text = say("live-goal.now", { goal, reading: said(reading) });
     if (this.#goal.textContent !== text) this.#goal.textContent = text;
   }
 

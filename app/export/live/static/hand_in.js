@@ -6,6 +6,7 @@
  */
 import { make, makeButton } from "../../../ui/dialog.js";
 import { download } from "../../../ui/download.js";
+import { language, say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
 import { packed } from "./answers.js";
 import { qrCode } from "./qr.js";
@@ -36,22 +37,25 @@ export function addHandIn(sheet, frame, rename) {
   box.hidden = false;
   const canvas = make("canvas", "qr");
   canvas.setAttribute("role", "img");
-  canvas.ariaLabel = "QR code of the answers";
+  canvas.ariaLabel = say("live-qr");
   const text = make("code", "");
   const note = make("p", "");
   const draw = () => {
     const { text: letters, left } = packed(sheet(), frame);
     text.textContent = letters;
-    note.textContent = `The QR code is the text below it, ${letters.length} letters.${left.length ? ` It has no room for ${left.join(" and ")}; the file has all.` : ""}`;
+    const told = { letters: letters.length };
+    note.textContent = left.length
+      ? say("live-qr.left", { ...told, left: new Intl.ListFormat(language).format(left) })
+      : say("live-qr.text", told);
     paintQr(canvas, qrCode(letters));
   };
-  const name = lineField("Your name or nickname, if your teacher wants one: ", sheet().name, MAX_NAME, (typed) => {
+  const name = lineField(say("live-name"), sheet().name, MAX_NAME, (typed) => {
     rename(typed);
     draw();
   });
-  const button = makeButton("Save answers as a file", () => save(sheet()), "softrod-button softrod-first");
+  const button = makeButton(say("live-save"), () => save(sheet()), "softrod-button softrod-first");
   box.addEventListener("toggle", () => box.open && draw());
-  box.append(make("p", "", "Nothing leaves this file by itself. Give your teacher the file, or show the QR code."), name, button, canvas, note, text);
+  box.append(make("p", "", say("live-leaves")), name, button, canvas, note, text);
   // What is answered while it is open.
   document.addEventListener("click", () => box.open && draw());
 }

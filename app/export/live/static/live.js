@@ -20,21 +20,24 @@
  * @typedef {import("../../static/paint.js").Stage & Told} About
  */
 import { readPlan, UNHARMED } from "../../../stage/plan.js";
+import { say } from "../../../words/words.js";
 import { paint, screenOf } from "../../static/paint.js";
 import { element, unpacked } from "../../static/parts.js";
 import { Body } from "./body.js";
-import { makeChart } from "./chart.js";
 import { Clock } from "./clock.js";
-import { Course } from "./course.js";
 import { Hands } from "./hands.js";
 import { Panel } from "./panel.js";
+import { write } from "./settings.js";
+import { isDark } from "./view.js";
+// ifdef HAS_LESSON
+import { makeChart } from "./chart.js";
+import { Course } from "./course.js";
 import { Recording } from "./quantities.js";
+import { partOfLimit } from "./readings.js";
+// endif
 // ifdef HAS_DERIVED
 import { addDerived } from "./quantities.js";
 // endif
-import { partOfLimit } from "./readings.js";
-import { write } from "./settings.js";
-import { isDark } from "./view.js";
 
 /** The two plans of a body: on white and on dark paper. @param {string[]} texts */
 const readPlans = (texts) => Promise.all(texts.map(async (text) => readPlan(new Float32Array(await unpacked(text)))));
@@ -50,9 +53,13 @@ function damageOf(body) {
 export class Live {
   playing = false;
   speed = 1;
+  /** @type {import("./course.js").Course | null} */
+  course = null;
+  // ifdef HAS_LESSON
   /** @type {ReturnType<typeof makeChart>[]} */
   #charts = [];
   #record = new Recording({ goal: null, names: [] });
+  // endif
   /** When the last picture was drawn, ms. */
   #before = performance.now();
 
@@ -71,17 +78,14 @@ export class Live {
     this.clock = this.#newClock();
     this.panel = new Panel(about, this);
     this.hands = new Hands(this.canvas, this);
-    this.course = about.lesson && new Course(about.lesson, {
-      begin: (step, waits) => this.#begin(about.lesson?.steps.indexOf(step) ?? 0, step, waits),
-      run: () => this.play(true),
-      places: () => Array.from({ length: this.body.masses }, (_, m) => [this.body.positions[2 * m], this.body.positions[2 * m + 1]]),
-    });
-    document.body.classList.toggle("taught", this.course !== null);
-    if (this.course) this.course.run.begin();
-    else {
-      this.panel.setUp(about.settings, about.settings.map(({ key }) => key));
-      this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    // ifdef HAS_LESSON
+    if (about.lesson) {
+      this.#teach(about.lesson);
+      return;
     }
+    // endif
+    this.panel.setUp(about.settings, about.settings.map(({ key }) => key));
+    this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
   get plan() {
@@ -103,6 +107,18 @@ export class Live {
     return new Clock(new Body(body), method, dt);
   }
 
+  // ifdef HAS_LESSON
+  /** @param {import("./course.js").Lesson} lesson */
+  #teach(lesson) {
+    this.course = new Course(lesson, {
+      begin: (step, waits) => this.#begin(lesson.steps.indexOf(step), step, waits),
+      run: () => this.play(true),
+      places: () => Array.from({ length: this.body.masses }, (_, m) => [this.body.positions[2 * m], this.body.positions[2 * m + 1]]),
+    });
+    document.body.classList.add("taught");
+    this.course.run.begin();
+  }
+
   /** Begin a step of the lesson. @param {number} at @param {import("./course.js").Step} step @param {boolean} waits */
   #begin(at, step, waits) {
     const { about } = this;
@@ -117,11 +133,18 @@ export class Live {
     this.play(!waits);
   }
 
+  #look() {
+    this.#record.take(this.body, !this.clock.exploded, partOfLimit(this.clock));
+  }
+
+  // endif
   #reset() {
     this.clock = this.#newClock();
     for (const [setting, value] of this.panel.values) this.#set(setting, value);
+    // ifdef HAS_LESSON
     this.#record = new Recording(this.#record);
     this.#look();
+    // endif
     this.hands.letGo();
   }
 
@@ -129,10 +152,6 @@ export class Live {
   #set(setting, value) {
     if (setting.key === "dt") this.clock.dt = Number(value);
     else write(this.body, setting, value);
-  }
-
-  #look() {
-    this.#record.take(this.body, !this.clock.exploded, partOfLimit(this.clock));
   }
 
   // ----------------------------------------------------------------------- what controls do
@@ -180,11 +199,13 @@ export class Live {
   // ----------------------------------------------------------------------- pictures
   /** Go on to a picture, and ask for the next. @param {number} now ms */
   next(now) {
-    const { clock, hands, course } = this;
+    const { clock, hands } = this;
     if (this.playing) {
       clock.go(((now - this.#before) / 1e3) * this.speed, hands.all, this.panel.presses);
-      if (course) this.#look();
-      if (course?.look(this.body.time, this.#record)) this.playing = false;
+      // ifdef HAS_LESSON
+      this.#look();
+      if (this.course?.look(this.body.time, this.#record)) this.playing = false;
+      // endif
     } else if (!clock.exploded) hands.moveAtOnce();
     this.#before = now;
     if (clock.exploded) this.playing = false;
@@ -200,18 +221,28 @@ export class Live {
     }
     // A slider may have set another tempo.
     if (body.muscles) plan.muscles.set([body.muscles.frequency, body.muscles.phase]);
+    // ifdef HAS_MOTORS
+    // Or that motors turn the other way.
+    body.motors.forEach(([, speed], k) => (plan.motors[3 * k + 1] = Math.sign(speed)));
+    // endif
     const predicted = this.course?.run.present.places;
+    /** @type {import("../../../stage/plan.js").Frame} */
     const frame = {
       generation: 0, time: body.time, lengthScale: body.scale, angleShift: body.shift,
       positions: Float32Array.from(body.positions), ghost: predicted ? Float32Array.from(predicted.flat()) : null,
-      // ifdef HAS_EFFORTS
-      efforts: Float32Array.from(body.efforts),
-      // endif
     };
+    // ifdef HAS_STEERING
+    frame.efforts = Float32Array.from(body.steered);
+    // endif
+    // ifdef HAS_EFFORTS
+    frame.efforts = Float32Array.from(body.efforts);
+    // endif
     paint(this.shown, this.canvas, { plan, frame, damage: damageOf(body) });
     this.hands.mark();
     this.panel.show();
+    // ifdef HAS_LESSON
     for (const chart of this.#charts) chart.draw(this.#record);
+    // endif
   }
 }
 
@@ -224,6 +255,6 @@ try {
   Object.assign(window, { __softrod: { now: () => live, place: () => live.place, plan: () => live.plan, sheet: () => live.course?.sheet() } });
 } catch (error) {
   const said = document.querySelector("[role=alert]");
-  if (said) said.textContent = "This browser cannot show the file; a newer one can.";
+  if (said) said.textContent = say("live-too-old");
   throw error;
 }

@@ -9,6 +9,7 @@
  */
 import { heldArrow } from "../../../ui/hands/arrow_keys.js";
 import { listenToPad, releasePad } from "../../../ui/hands/arrow_pad.js";
+import { say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
 import { head, numbers } from "./readings.js";
 import { settingRow } from "./sliders.js";
@@ -125,13 +126,13 @@ export class Panel {
     const icon = playing ? "pause" : "play";
     if (play.dataset.icon !== icon) {
       play.dataset.icon = icon;
-      play.ariaLabel = playing ? "Pause" : "Play";
+      play.ariaLabel = say(playing ? "live-pause" : "live-play");
       this.#due = 0;
     }
     this.follow.ariaPressed = String(hands.follows);
     if (stopped.hidden === clock.exploded) {
       stopped.hidden = !clock.exploded;
-      this.cause.textContent = clock.cause && `${clock.cause}.`;
+      this.cause.textContent = clock.cause;
     }
     const now = performance.now();
     if (now < this.#due) return;

@@ -8,6 +8,7 @@
  */
 import { make } from "../../../ui/dialog.js";
 import { YIELDED } from "../../../stage/looks.js";
+import { say } from "../../../words/words.js";
 import { energies } from "./energy.js";
 
 /** Fraction of real time below which the file says that it is slowed down. */
@@ -21,8 +22,10 @@ const WARN = 0.7;
 export const said = (value) =>
   Math.abs(value) >= 1e6 || (value && Math.abs(value) < 1e-4) ? value.toExponential(2).replace("e+", "e") : String(Number(value.toPrecision(4)));
 
-/** A number of springs in words. @param {number} count */
-const springs = (count) => `${count} ${count === 1 ? "spring" : "springs"}`;
+/** What energies are called. */
+const ENERGIES = /** @type {const} */ ({
+  kinetic: "live-energy.kinetic", height: "live-energy.height", linear: "live-energy.linear", angular: "live-energy.angular",
+});
 
 /** The time step as a part of the largest stable one; 0 where the file chooses its steps. @param {Clock} clock */
 export const partOfLimit = ({ method, dt, meter }) => (method === "symplectic_euler" && meter.limit < 1 ? dt / meter.limit : 0);
@@ -32,7 +35,7 @@ function bar({ dt }, part) {
   const box = make("div", "limit");
   const meter = make("meter", "");
   Object.assign(meter, { min: 0, max: 1, low: WARN, high: 0.99, optimum: 0, value: Math.min(part, 1) });
-  const words = `time step ${said(1e3 * dt)} ms, ${Math.round(100 * part)} % of the limit${part >= 1 ? ": unstable" : ""}`;
+  const words = say(part >= 1 ? "live-limit.over" : "live-limit", { step: said(1e3 * dt), part: String(Math.round(100 * part)) });
   meter.ariaLabel = words;
   box.append(meter, make("span", "", words));
   return box;
@@ -41,13 +44,13 @@ function bar({ dt }, part) {
 /** What stands over the body. @param {About} about @param {Body} body @param {Clock} clock @param {boolean} playing @returns {HTMLElement[]} */
 export function head(about, body, clock, playing) {
   const states = [];
-  if (clock.exploded) states.push("stopped");
-  else if (!playing) states.push("paused");
-  else if (clock.rate < SLOW) states.push(`slowed down: ${clock.rate.toFixed(2)} × real time`);
+  if (clock.exploded) states.push(say("live-stopped"));
+  else if (!playing) states.push(say("live-paused"));
+  else if (clock.rate < SLOW) states.push(say("live-slowed", { rate: clock.rate.toFixed(2) }));
   const broken = body.broken.reduce((sum, one) => sum + one, 0);
-  if (broken) states.push(`${springs(broken)} broken`);
+  if (broken) states.push(say("live-broken", { count: broken }));
   const yielded = body.setLength.reduce((sum, moved, s) => sum + Number(Math.abs(moved) > YIELDED * body.restLength[s] && !body.broken[s]), 0);
-  if (yielded) states.push(`${springs(yielded)} yielded`);
+  if (yielded) states.push(say("live-yielded", { count: yielded }));
   const part = partOfLimit(clock);
   return [make("b", "", states.join(" · ")), ...(part >= (about.lesson ? Number.MIN_VALUE : NEAR) ? [bar(clock, part)] : [])];
 }
@@ -70,14 +73,18 @@ export function numbers(about, body, clock) {
   if (about.joint >= 0) {
     const angle = body.angleOf(about.joint);
     const radians = (angle * Math.PI) / 180;
-    all.push(table(`Joint ${about.joint}`, [
-      ["angle", `${angle.toFixed(2)}°`],
-      ["rest angle", `${body.restAngleOf(about.joint).toFixed(2)}°`],
-      ["sine", Math.sin(radians).toFixed(4)],
-      ["cosine", Math.cos(radians).toFixed(4)],
+    all.push(table(say("live-joint", { joint: String(about.joint) }), [
+      [say("live-joint.angle"), `${angle.toFixed(2)}°`],
+      [say("live-joint.rest"), `${body.restAngleOf(about.joint).toFixed(2)}°`],
+      [say("live-joint.sine"), Math.sin(radians).toFixed(4)],
+      [say("live-joint.cosine"), Math.cos(radians).toFixed(4)],
     ]));
   }
-  all.push(table(`Energy, ${about.energyUnit}`, Object.entries(energies(body)).map(([name, value]) => [name, said(value)])));
+  const parts = Object.entries(energies(body)).map(([name, value]) => {
+    const key = ENERGIES[/** @type {keyof typeof ENERGIES} */ (name)];
+    return /** @type {[string, string]} */ ([say(key), said(value)]);
+  });
+  all.push(table(say("live-energy", { unit: about.energyUnit }), parts));
   const part = partOfLimit(clock);
   if (part) all.push(bar(clock, part));
   return all;

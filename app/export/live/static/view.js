@@ -1,26 +1,31 @@
 // @ts-check
 /** How a live file looks: on white or dark paper, larger for a projector; and the dialog with these and with the keys. */
 import { make, makeButton, makeDialog } from "../../../ui/dialog.js";
+import { say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
 
 /** Factor of all sizes for a projector. */
 const LARGER = 1.5;
 
-/** What keys do; some only where the body uses them. @type {[string, string, ("arrows" | "follow")?][]} */
+/**
+ * Keys, and what they do; some only where the body uses them.
+ *
+ * @type {[string, string, ("arrows" | "follow")?][]}
+ */
 const KEYS = [
-  ["drag", "a mass is held while you drag it; several fingers drag several"],
-  ["Space", "play or pause"],
-  ["N", "one step"],
-  ["R", "reset: the body starts again, with the sliders as they are"],
-  ["F", "the ringed mass follows the pointer, or stops", "follow"],
-  ["↑ ↓ held", "springs get longer or shorter", "arrows"],
-  ["→ ← held", "rest angles grow or shrink", "arrows"],
+  [say("live-keys-drag.keys"), say("live-keys-drag")],
+  [say("live-keys-play.keys"), say("live-keys-play")],
+  ["N", say("live-keys-step")],
+  ["R", say("live-keys-reset")],
+  ["F", say("live-keys-follow"), "follow"],
+  [say("live-keys-longer.keys"), say("live-keys-longer"), "arrows"],
+  [say("live-keys-bent.keys"), say("live-keys-bent"), "arrows"],
   // ifdef HAS_STEERING
-  ["arrows held", "motors turn, forwards and backwards"],
+  [say("live-keys-motors.keys"), say("live-keys-motors")],
   // endif
-  ["D, P", "dark or white; larger, for a projector"],
-  ["Tab", "to the body: there arrows choose a mass, Space takes hold of it, arrows move it"],
-  ["?", "this help"],
+  ["D, P", say("live-keys-dark")],
+  [say("live-keys-body.keys"), say("live-keys-body")],
+  ["?", say("live-keys-help")],
 ];
 
 /** Whether the file is on dark paper, see `dark.js`. */
@@ -39,9 +44,9 @@ export function addView(has) {
     root.toggleAttribute("data-larger", on);
     root.style.setProperty("--softrod-larger", String(on ? LARGER : 1));
   };
-  const { dialog, body } = makeDialog("View and keys", "softrod-view");
-  const dark = makeButton("Dark", darken);
-  const larger = makeButton("Larger, for a projector", enlarge);
+  const { dialog, body } = makeDialog(say("live-view"), "softrod-view");
+  const dark = makeButton(say("live-dark"), darken);
+  const larger = makeButton(say("live-larger"), enlarge);
   larger.ariaPressed = "false";
   const row = make("div", "softrod-dialog-line");
   row.append(dark, larger);
