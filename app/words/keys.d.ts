@@ -344,6 +344,17 @@ export type Words = {
   "live-sheet-collect.text": "reading";
   "canvas-body": never;
   "line-away": never;
+  "play-scene": never;
+  "play-scene.hint": never;
+  "play-scene.note": never;
+  "play-anew": never;
+  "play-anew.hint": never;
+  "play-follow": never;
+  "play-follow.hint": never;
+  "play-more": never;
+  "play-own": never;
+  "play-held": never;
+  "play-held.edit": never;
   "hud-stopped": never;
   "hud-past": never;
   "hud-paused": never;

@@ -65,12 +65,13 @@ def test_the_frame_of_the_page_is_in_its_language(open_page: OpenPage) -> None:
     desk.until(lambda: play.get_attribute("title") == "Pause (Leertaste)", "a key has its German name")
     desk.tell(commands.Play(False))
     desk.until(lambda: page.locator(".softrod-hud b").all_inner_texts() == ["Pause"], "the body is paused")
-    number = page.get_by_label("Schwerkraft").last
+    assert page.locator(".softrod-label").first.inner_text() == "Krümmung jedes Gelenks"
+    number = page.get_by_role("spinbutton").first
     number.fill("nichts")
     number.press("Enter")
     desk.until(lambda: "„nichts“ ist keine Zahl." in page.inner_text("body"), "it says why not")
     page.keyboard.press("Escape")
     page.keyboard.press("Control+k")
-    page.get_by_role("combobox", name="Alles finden").fill("Rückgängig")
-    found = page.get_by_role("option")
+    page.get_by_role("combobox", name="Alles finden").fill("letzte änderung")
+    found = page.locator(".softrod-found-row")
     desk.until(lambda: "Taste Strg Z" in found.first.inner_text(), "it is found by its German name")
