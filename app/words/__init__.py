@@ -185,8 +185,15 @@ class Pseudo(Transformer):
 
 @cache
 def _messages(tag: str) -> dict[str, ast.Message]:
-    """All messages, in English where the language has none."""
-    return entries(ENGLISH) | entries(tag)
+    """All messages; texts that the language lacks, of whole messages or of their attributes, are English."""
+    found = dict(entries(ENGLISH))
+    for name, own in entries(tag).items():
+        if (english := found.get(name)) is not None:
+            own, had = own.clone(), {each.id.name for each in own.attributes}
+            own.value = own.value or english.value
+            own.attributes += [each for each in english.attributes if each.id.name not in had]
+        found[name] = own
+    return found
 
 
 @cache

@@ -606,6 +606,12 @@ export type Words = {
   "site-before": "scene";
   "site-after": "scene";
   "site-save": never;
+  "stage-away": never;
+  "stage-drag": never;
+  "stage-empty": never;
+  "stage-empty.draw": never;
+  "stage-empty.tap": never;
+  "stage-empty.click": never;
   "time-bar": never;
   "time-bar.more": never;
   "time-go-on": never;
