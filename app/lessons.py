@@ -18,6 +18,8 @@ from sim.solve.registry import METHODS
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
+from .words import say
+from .words.keys import Key
 
 MAX_TOLD = 3
 """Pulls of a run that are told one by one."""
@@ -25,8 +27,17 @@ MAX_TOLD = 3
 _NAME = re.compile(r"(?:(mass|spring|joint)(\d+)|[a-z]+)\.([a-z_]+)", re.ASCII)
 """The name of a quantity: what it is of, with its number, and what it is."""
 
-_WORDS = {"elongation": "stretch", "dt over limit": "time step, as a part of its limit"}
-"""Of quantities, for pupils."""
+_WORDS: dict[str, Key] = {
+    "elongation": "reading-stretch",
+    "force": "reading-force",
+    "length": "reading-length",
+    "angle": "reading-angle",
+    "torque": "reading-torque",
+    "speed": "reading-speed",
+    "distance": "reading-distance",
+    "dt_over_limit": "reading-time-step",
+}
+"""What quantities are called for pupils; all others as in files."""
 
 
 def check_lesson(scene: sim.Scene) -> None:
@@ -118,13 +129,15 @@ def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     """A reading in words, as in "stretch of spring 0" or "period of mass 1"."""
     name = _NAME.fullmatch(reading.quantity)
     if name is None:
-        return f"period of {reading.quantity}" if reading.of == "period" else reading.quantity
-    what, owner = name[3].replace("_", " "), f"{name[1]} {name[2]}" if name[1] else ""
-    if reading.quantity.startswith("body."):
-        owner = "the body"
+        period = reading.of == "period"
+        return say("reading-period", what=reading.quantity) if period else reading.quantity
+    what = say(_WORDS[name[3]]) if name[3] in _WORDS else name[3].replace("_", " ")
+    owner = "body" if reading.quantity.startswith("body.") else name[1]
+    if not owner:
+        return say("reading-period", what=what) if reading.of == "period" else what
     if reading.of == "period":
-        return f"period of {owner or what}"
-    return f"{_WORDS.get(what, what)} of {owner}" if owner else _WORDS.get(what, what)
+        return say("reading-period-of", owner=owner, number=name[2] or "")
+    return say("reading-of", what=what, owner=owner, number=name[2] or "")
 
 
 def reading_unit(reading: Reading, scene: sim.Scene) -> str:
@@ -137,11 +150,15 @@ def reading_unit(reading: Reading, scene: sim.Scene) -> str:
 
 def goal_text(goal: Goal, scene: sim.Scene) -> str:
     """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
-    unit = reading_unit(goal, scene)
-    low, high = (None if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
-    span = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}"
-    held = f", for {goal.seconds:g} s" if goal.seconds else ""
-    return f"{reading_text(goal, scene)}: {span} {unit}".rstrip() + held
+    unit, text = reading_unit(goal, scene), reading_text(goal, scene)
+    low, high = ("" if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
+    if low and high:
+        said = say("goal-between", reading=text, low=low, high=f"{high} {unit}".rstrip())
+    elif low:
+        said = say("goal-least", reading=text, low=f"{low} {unit}".rstrip())
+    else:
+        said = say("goal-most", reading=text, high=f"{high} {unit}".rstrip())
+    return say("goal-held", goal=said, seconds=f"{goal.seconds:g}") if goal.seconds else said
 
 
 def run_text(run: StepRun, scene: sim.Scene) -> str:
@@ -150,7 +167,8 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
     for assignment in run.settings:
         key, _, value = assignment.partition("=")
         if key in CHOICES:
-            said.append(f"{CHOICES[key].label}: {CHOICES[key].options.get(value, value)}")
+            choice = CHOICES[key].options.get(value, value)
+            said.append(say("run-choice", choice=CHOICES[key].label, option=choice))
             continue
         try:
             setting = setting_of(scene, key)
@@ -160,23 +178,27 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
             said.append(f"{setting.label} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
     few = run.pulls if len(run.pulls) <= MAX_TOLD else ()
     if len(run.pulls) > len(few):
-        said.append(f"{len(run.pulls)} masses are pulled aside and let go")
-    for pull in few:
-        x, y = pull.by
-        down = y if scene.view.y_down else -y
-        ways = [(abs(x), "right" if x > 0.0 else "left"), (abs(down), "down" if down > 0.0 else "up")]
-        way = " and ".join(
-            f"{round(by) if by >= 1.0 else by:g} {scene.view.unit} {word}" for by, word in ways if by
-        )
-        said.append(f"mass {pull.mass} is pulled {way} and let go")
+        said.append(say("run-many", count=len(run.pulls)))
+    said += (say("run-pull", mass=str(pull.mass), way=_way(pull.by, scene)) for pull in few)
     for circle in dict.fromkeys(one.circle for one in run.leads):
         led = [str(one.mass) for one in run.leads if one.circle == circle]
-        who = f"masses {', '.join(led)} are" if len(led) > 1 else f"mass {led[0]} is"
-        around = f"a circle of {circle.radius:g} {scene.view.unit}"
-        said.append(f"{who} led round {around}, {circle.frequency:g} times a second")
+        radius, times = f"{circle.radius:g} {scene.view.unit}", f"{circle.frequency:g}"
+        said.append(say("run-led", count=len(led), masses=", ".join(led), radius=radius, times=times))
     resting = [str(one.joint) for one in run.muscles if not (one.muscle and one.muscle.amplitude)]
     if resting:
-        said.append(f"the muscle at joint {', '.join(resting)} rests")
+        said.append(say("run-rests", count=len(resting), joints=", ".join(resting)))
     if moving := len(run.muscles) - len(resting):
-        said.append(f"{moving} muscles move at another moment or by another angle")
+        said.append(say("run-muscles", count=moving))
     return f"{'; '.join(said)}."
+
+
+def _way(by: tuple[float, float], scene: sim.Scene) -> str:
+    """How far something is pulled, as in "150 px down"."""
+    across, down = by[0], by[1] if scene.view.y_down else -by[1]
+
+    def length(by: float) -> str:
+        return f"{round(abs(by)) if abs(by) >= 1.0 else f'{abs(by):g}'} {scene.view.unit}"
+
+    one = say("run-way.right" if across > 0.0 else "run-way.left", length=length(across))
+    other = say("run-way.down" if down > 0.0 else "run-way.up", length=length(down))
+    return say("run-ways", one=one, other=other) if across and down else one if across else other

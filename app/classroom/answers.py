@@ -10,7 +10,7 @@ from __future__ import annotations
 import enum
 import math
 import unicodedata
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, ClassVar, Literal, Self
 
 import msgspec
 from msgspec import Meta, Struct
@@ -20,6 +20,7 @@ from sim.scene.lesson import Step
 from sim.scene.types import Damage
 
 from ..wire.messages import AnswerKind
+from ..words import say
 
 MAX_LINE_LENGTH = 140
 """Letters of a line that a pupil writes."""
@@ -127,7 +128,7 @@ class Vote(Content, frozen=True):
     def checked(self, scene: sim.Scene, step: Step | None) -> Self:
         """See `Content`."""
         if step is None or step.question is None or not 0 <= self.choice < len(step.question.choices):
-            raise Refused("The question has no such choice.")
+            raise Refused(say("class-refuse-no-choice"))
         return self
 
     def cells(self, step: Step | None) -> Cells | None:
@@ -135,7 +136,7 @@ class Vote(Content, frozen=True):
         question = step.question if step is not None else None
         if question is None:
             return None
-        return "vote", question.choices[self.choice], self.choice == question.answer
+        return say("zip-vote"), question.choices[self.choice], self.choice == question.answer
 
 
 class Prediction(Content, frozen=True, tag="ghost"):
@@ -150,7 +151,7 @@ class Prediction(Content, frozen=True, tag="ghost"):
         asked = step is not None and step.predict is not None and len(self.points) == len(scene.masses)
         # NaN is within no bounds; a file with it could not be read again.
         if not asked or not all(abs(c) <= MAX_COORDINATE for point in self.points for c in point):
-            raise Refused("That is no place for this body.")
+            raise Refused(say("class-refuse-no-such-place"))
         return self
 
 
@@ -169,12 +170,37 @@ class Line(Content, frozen=True):
     def checked(self, scene: sim.Scene, step: Step | None) -> Self:
         """See `Content`."""
         if not (text := sanitize_line(self.text, MAX_LINE_LENGTH)):
-            raise Refused("A line needs a letter.")
+            raise Refused(say("class-refuse-no-letter"))
         return msgspec.structs.replace(self, text=text)
 
     def cells(self, step: Step | None) -> Cells | None:
         """See `Content`."""
-        return "line", self.text, None
+        return say("zip-line"), self.text, None
+
+
+class Doubt(Struct, frozen=True, forbid_unknown_fields=True):
+    """Why a log cannot be a pupil's own run, without the words of a language.
+
+    Attributes:
+        key: of the text.
+        what: stands in its place.
+    """
+
+    key: Literal[
+        "class-doubt-begins",
+        "class-doubt-goes-on",
+        "class-doubt-begins-other",
+        "class-doubt-goes-on-other",
+        "class-doubt-sets",
+        "class-doubt-never",
+        "class-doubt-long",
+    ]
+    what: str = ""
+
+
+def doubt_text(doubt: Doubt | str) -> str:
+    """A doubt in the language that is spoken now; one that is a text already is left as it is."""
+    return doubt if isinstance(doubt, str) else say(doubt.key, what=doubt.what)
 
 
 class Work(Content, frozen=True):
@@ -185,7 +211,8 @@ class Work(Content, frozen=True):
         found: the reading that the step collects; None without one.
         setting: the first number that the step has a slider for: the abscissa of the class's plot.
         reached: whether the step's goal was reached; None without a goal.
-        doubt: why the log cannot be a pupil's own run; empty if it can.
+        doubt: why the log cannot be a pupil's own run, a text where the
+            simulation says why; empty if it can.
         points: final positions of the masses, and
         damage: what had yielded and broken, for a picture; empty if a position was not finite.
     """
@@ -196,14 +223,14 @@ class Work(Content, frozen=True):
     found: float | None = None
     setting: float | None = None
     reached: bool | None = None
-    doubt: str = ""
+    doubt: Doubt | str = ""
     points: tuple[tuple[float, float], ...] = ()
     damage: Damage | None = None
 
     @property
     def words(self) -> str:
         """See `Content`."""
-        goal = {None: "", True: "goal reached", False: "goal not reached"}[self.reached]
+        goal = "" if self.reached is None else say("class-at-goal" if self.reached else "class-not-at-goal")
         found = "" if self.found is None else f"{self.found:.4g}"
         return ", ".join(text for text in (found, goal) if text)
 
@@ -224,7 +251,7 @@ class Work(Content, frozen=True):
 
     def cells(self, step: Step | None) -> Cells | None:
         """See `Content`."""
-        return "handed in", "" if self.found is None else self.found, self.reached
+        return say("zip-work"), "" if self.found is None else self.found, self.reached
 
 
 AnyContent = Vote | Prediction | Line | Work

@@ -23,6 +23,7 @@ from sim.settings import CHOICES, set_choice, set_value, setting_of
 from ..session import log
 from ..session.log import Log, digest_of
 from ..session.replay import Player
+from .answers import Doubt
 
 SPAN = 60.0
 """Longest simulated time from which a period is measured, s."""
@@ -120,20 +121,28 @@ class Verdict:
     """The result of judging a log.
 
     Attributes:
-        refused: why the log cannot be what a pupil did; empty if it can.
+        refused: why the log cannot be what a pupil did, see `Work`; empty if it can.
         reached: whether the goal was; None without a goal.
         found: the last reading of what the step collects, or None.
         steps: time steps that were replayed.
     """
 
-    refused: str = ""
+    refused: Doubt | str = ""
     reached: bool | None = None
     found: float | None = None
     steps: int = 0
 
 
 class _Forged(Exception):
-    """A log has something that a pupil cannot do."""
+    """A log has something that a pupil cannot do.
+
+    Args:
+        doubt: what.
+    """
+
+    def __init__(self, doubt: Doubt | str) -> None:
+        super().__init__(doubt)
+        self.doubt = doubt
 
 
 def judge(record: Log, scene: sim.Scene, step: Step, been: Collection[str] = ()) -> Verdict:
@@ -147,10 +156,10 @@ def judge(record: Log, scene: sim.Scene, step: Step, been: Collection[str] = ())
             page or when its kernels were ready, see `Recorder`.
     """
     try:
-        _check_scene(record.scene, scene, step.controls, "the log begins with")
+        _check_scene(record.scene, scene, step.controls, begins=True)
         return _judge(record, scene, step, been)
     except _Forged as error:
-        return Verdict(refused=f"{error}.")
+        return Verdict(refused=error.doubt)
     except (InputError, SettingError) as error:
         return Verdict(refused=f"{error}.")
 
@@ -167,12 +176,12 @@ def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> 
         entry = player.upcoming
         match entry:
             case log.Set(key=key) | log.Choose(key=key) if key not in step.controls:
-                raise _Forged(f"the log sets {key}, which this step has no slider for")
+                raise _Forged(Doubt("class-doubt-sets", key))
             case log.Restore(scene=other) if other is not None:
-                _check_scene(record.moments[player.at].scene, scene, step.controls, "the log goes on with")
+                _check_scene(record.moments[player.at].scene, scene, step.controls, begins=False)
         player.do()
         if isinstance(entry, log.Restore) and digest_of(simulation) not in been:
-            raise _Forged("the log goes on from where the body never was; begin anew and hand in that run")
+            raise _Forged(Doubt("class-doubt-never"))
         if isinstance(entry, log.Step):
             been.add(digest_of(simulation))
             if watch is not None:
@@ -180,14 +189,19 @@ def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> 
             if meter is not None:
                 found = meter.take(simulation)
         if simulation.time > MAX_SECONDS:
-            raise _Forged(f"the log has more than {MAX_SECONDS:g} s")
+            raise _Forged(Doubt("class-doubt-long", f"{MAX_SECONDS:g} s"))
     if not player.agrees:
-        raise _Forged(player.verdict.rstrip("."))
+        raise _Forged(f"{player.verdict.rstrip('.')}.")
     return Verdict("", None if watch is None else watch.reached, found, player.steps)
 
 
-def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], what: str) -> None:
+def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], begins: bool) -> None:
     """Refuse a scene that differs from the step's by more than its sliders can set.
+
+    Args:
+        has, wanted: the log's scene, and the step's.
+        controls: of the step.
+        begins: whether the log begins with it; else it goes on with it.
 
     Raises:
         _Forged: it does.
@@ -199,9 +213,10 @@ def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], w
             else:
                 wanted = set_value(wanted, key, setting_of(has, key).read(has))
         except SettingError as error:
-            raise _Forged(f"{what} {error}") from None
+            key = "class-doubt-begins" if begins else "class-doubt-goes-on"
+            raise _Forged(Doubt(key, str(error))) from None
     if _bare(has) != _bare(wanted):
-        raise _Forged(f"{what} another scene than the step's")
+        raise _Forged(Doubt("class-doubt-begins-other" if begins else "class-doubt-goes-on-other"))
 
 
 def _bare(scene: sim.Scene) -> sim.Scene:

@@ -6,6 +6,7 @@ All of it belongs to the ticker's thread, except the writing of files.
 from __future__ import annotations
 
 import contextlib
+import contextvars
 import logging
 import secrets
 import time
@@ -13,7 +14,7 @@ from collections import deque
 from collections.abc import Callable, Collection, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Literal, NamedTuple, ParamSpec, Protocol
 
 import msgspec
 import numpy as np
@@ -28,6 +29,7 @@ from ..session.framing import Bounds, motion_bounds
 from ..session.log import decode_log
 from ..stage.plan import Picture
 from ..stage.sketch import Floats
+from ..words import say
 from . import kept, names
 from .answers import Answer, Refused, Work
 from .judge import Verdict, judge
@@ -54,6 +56,7 @@ MAX_CHECKS = 5
 """Devices whose checks the teacher's page lists."""
 
 _log = logging.getLogger(__name__)
+_P = ParamSpec("_P")
 
 
 @dataclass(frozen=True)
@@ -155,7 +158,7 @@ class Class:
         run: the log of the present stop's run, once that has stopped; empty before.
         written: version of the room that is on the disk.
         trouble: why nothing can be stored now, in the system's words; empty while all is stored.
-        notices: a title and a sentence each, for the teacher to read once.
+        notices: for the teacher to read once; each says a title and a sentence in the language of the page.
         ended: whether it is over.
     """
 
@@ -182,7 +185,7 @@ class Class:
         self.run = b""
         self.written = -1
         self.trouble = ""
-        self.notices: deque[tuple[str, str]] = deque(maxlen=MAX_NOTICES)
+        self.notices: deque[Callable[[], tuple[str, str]]] = deque(maxlen=MAX_NOTICES)
         self.ended = False
         self._clock = clock
         self._scenes: dict[tuple[int, Callable[[sim.Scene, int], sim.Scene]], sim.Scene] = {}
@@ -313,21 +316,25 @@ class Class:
     def pack(self) -> Future[bytes]:
         """Make the zip that the teacher takes home, in a thread: it takes longer than a frame."""
         present = msgspec.json.decode(kept.encode(self.room), type=Room)
-        return self._maker.submit(pack, present, dict(self._logs))
+        return self._make(pack, present, dict(self._logs))
 
     def teacher_sheet(self) -> Future[bytes]:
         """Make the present lesson into a sheet to print, in a thread.
 
         The future fails with an `InputError` where the scene has no lesson.
         """
-        return self._maker.submit(_sheet, self.room.scenes[self.room.stops[self.room.at].scene])
+        return self._make(_sheet, self.room.scenes[self.room.stops[self.room.at].scene])
 
     def lesson_file(self) -> Future[bytes]:
         """Make the scene of the present stop into a file that works without a server, in a thread.
 
         The future fails with a `SettingError` where a step of its lesson cannot begin.
         """
-        return self._maker.submit(_live_file, self.room.scenes[self.room.stops[self.room.at].scene])
+        return self._make(_live_file, self.room.scenes[self.room.stops[self.room.at].scene])
+
+    def _make(self, make: Callable[_P, bytes], *given: _P.args, **named: _P.kwargs) -> Future[bytes]:
+        """Make a file in a thread, in the language that is spoken now."""
+        return self._maker.submit(contextvars.copy_context().run, make, *given, **named)
 
     def poll_writer(self) -> None:
         """Write what is new, if it is time, and see what has been written: only that is acknowledged."""
@@ -382,15 +389,12 @@ class Class:
         self.trouble = trouble
         if trouble:
             _log.error("the class %s cannot be written: %s", self.room.code, error)
-            title = "The class is not being kept"
-            text = (
-                f"{trouble}. What pupils give now waits on their pages, and is gone if those are closed. "
-                "Make room on the disk of the computer that holds the class, or take the zip home now."
+            self.notices.append(
+                lambda: (say("desk-unkept-title"), say("desk-unkept", reason=trouble)),
             )
         else:
             _log.error("the class %s is being written again", self.room.code)
-            title, text = "The class is being kept again", "All that was given is on the disk."
-        self.notices.append((title, text))
+            self.notices.append(lambda: (say("desk-kept-title"), say("desk-kept")))
 
     def close(self) -> None:
         """Write what is new, and wait for it; the server is shutting down."""
@@ -425,8 +429,10 @@ class Class:
         if error is not None:
             self.written = -1  # some of it may be gone
             _log.error("the class %s cannot be ended: %s", self.room.code, error)
-            text = f"Its folder {kept.folder_of(self.room.code)} cannot be deleted: {reason_of(error)}."
-            self.notices.append(("The class goes on", text))
+            folder, reason = str(kept.folder_of(self.room.code)), reason_of(error)
+            self.notices.append(
+                lambda: (say("desk-goes-on-title"), say("desk-goes-on", folder=folder, reason=reason)),
+            )
             return
         self.ended = True
         for executor in (self._judge, self._maker, self._writer):
@@ -491,13 +497,13 @@ class Classes:
         """
         taken = {one.room.code for one in self}
         if len(taken) >= MAX_CLASSES:
-            raise Refused(f"A server holds {MAX_CLASSES} classes at most.")
+            raise Refused(say("class-refuse-classes", most=MAX_CLASSES))
         room = Room(code="", key=secrets.token_urlsafe(16), scenes=tuple(scenes))
         if until:
             # Nobody is there to see who sits where, so they say who they are.
             room.until, room.own_names = until, True
         if len(room.stops) > MAX_STOPS:
-            raise Refused(f"A class has {MAX_STOPS} steps at most; these scenes have {len(room.stops)}.")
+            raise Refused(say("class-refuse-scenes", most=MAX_STOPS, steps=len(room.stops)))
         while True:
             room.code = names.new_code(taken)
             with contextlib.suppress(kept.Held):

@@ -21,6 +21,7 @@ from msgspec import Struct
 import sim
 from sim.scene.lesson import Step
 
+from ..words import say
 from . import names
 from .answers import (
     OWN_BODY,
@@ -248,9 +249,9 @@ class Room(Struct, kw_only=True):
         """
         seat = self._seat(number)
         if not self.is_home:
-            raise Refused("The class goes on together.")
+            raise Refused(say("class-refuse-together"))
         if not 0 <= stop < len(self.stops):
-            raise Refused("The homework has no such step.")
+            raise Refused(say("class-refuse-no-home-step"))
         seat.at = stop
         self.version += 1
 
@@ -325,7 +326,7 @@ class Room(Struct, kw_only=True):
         if phase is Phase.LOBBY:
             stop, round = self.at, 0
         elif not 0 <= stop < len(self.stops) or (phase, round) not in self.order(stop):
-            raise Refused("The class has no such place.")
+            raise Refused(say("class-refuse-no-place"))
         if (stop, phase, round) == (self.at, self.phase, self.round):
             return
         for asked in self.asked:
@@ -354,7 +355,7 @@ class Room(Struct, kw_only=True):
             Refused: there is no such answer, or it is sealed.
         """
         if id and not self._is_shown(self._answer(id)):
-            raise Refused("Nobody sees the answers before all are shown.")
+            raise Refused(say("class-refuse-sealed"))
         self.on_wall, self.seat_on_wall = id, 0
         self.version += 1
 
@@ -367,7 +368,7 @@ class Room(Struct, kw_only=True):
         if number:
             self._seat(number)
             if self.phase not in OWN_BODY:
-                raise Refused("Seats have no bodies of their own now.")
+                raise Refused(say("class-refuse-no-bodies"))
         self.on_wall, self.seat_on_wall = "", number
         self.version += 1
 
@@ -392,7 +393,7 @@ class Room(Struct, kw_only=True):
         """
         seat = self._seat(number)
         if self.phase not in OWN_BODY or self.gathered:
-            raise Refused("All look at the teacher's now.")
+            raise Refused(say("class-refuse-gathered"))
         seat.follows = on
         self.version += 1
 
@@ -418,10 +419,10 @@ class Room(Struct, kw_only=True):
             Refused: something has been given, or the class has begun.
         """
         if self.phase is not Phase.LOBBY or self.asked or self.answers or self.is_home:
-            raise Refused("The class has begun: its lesson can no longer be chosen.")
+            raise Refused(say("class-refuse-begun"))
         self.scenes, self.at = scenes, 0
         if len(self.stops) > MAX_STOPS:
-            raise Refused(f"A class has {MAX_STOPS} steps at most; this scene has {len(self.stops)}.")
+            raise Refused(say("class-refuse-steps", most=MAX_STOPS, steps=len(self.stops)))
         self.version += 1
 
     def lower_hands(self) -> None:
@@ -448,14 +449,11 @@ class Room(Struct, kw_only=True):
         if (seat := self._seat_of(secret)) is not None:
             return seat
         if not self.is_open:
-            raise Refused("The class has begun; ask your teacher to open the door.")
+            raise Refused(say("class-refuse-closed"))
         if sum(number in self.seats and not self.seats[number].removed for number in granted) >= (
             MAX_SEATS_PER_VISITOR
         ):
-            raise Refused(
-                f"Your network has {MAX_SEATS_PER_VISITOR} seats, as many as one gets; "
-                "your teacher can remove some."
-            )
+            raise Refused(say("class-refuse-network", seats=MAX_SEATS_PER_VISITOR))
         return self._new_seat(secret, here)
 
     def _seat_of(self, secret: str) -> Seat | None:
@@ -467,7 +465,7 @@ class Room(Struct, kw_only=True):
         token = digest(secret)
         seat = next((seat for seat in self.seats.values() if seat.token == token), None)
         if seat is not None and seat.removed:
-            raise Refused("The teacher has closed this seat.")
+            raise Refused(say("class-refuse-removed"))
         return seat
 
     def _new_seat(self, secret: str, here: Collection[int] | None = None) -> Seat:
@@ -482,7 +480,7 @@ class Room(Struct, kw_only=True):
             )
             idle = next((n for n, seat in self.seats.items() if n not in needed and not seat.removed), None)
             if idle is None:
-                raise Refused(f"The class is full: it has {MAX_SEATS} seats.")
+                raise Refused(say("class-refuse-full", seats=MAX_SEATS))
             del self.seats[idle]
         number = max(self.seats, default=0) + 1
         name = names.new_name([seat.given for seat in self.seats.values()])
@@ -504,11 +502,11 @@ class Room(Struct, kw_only=True):
         else:
             name = sanitize_line(wanted, MAX_NAME_LENGTH)
             if not self.own_names:
-                raise Refused("In this class names are given.")
+                raise Refused(say("class-refuse-names"))
             if not name:
-                raise Refused("A name needs a letter.")
+                raise Refused(say("class-refuse-no-name"))
             if name.casefold() in (other.casefold() for other in taken):
-                raise Refused("Somebody has that name.")
+                raise Refused(say("class-refuse-same-name"))
             seat.name = name
         self.version += 1
 
@@ -533,12 +531,12 @@ class Room(Struct, kw_only=True):
         """
         seat = next((seat for seat in self.seats.values() if digits and seat.move == digits), None)
         if seat is None:
-            raise Refused("No seat has that number now.")
+            raise Refused(say("class-refuse-digits"))
         token = digest(secret)
         for other in list(self.seats.values()):
             if other.token == token and other is not seat:
                 if any(answer.seat == other.number for answer in self.answers.values()):
-                    raise Refused("This device has a seat with answers of its own.")
+                    raise Refused(say("class-refuse-own-answers"))
                 del self.seats[other.number]
         seat.token, seat.move = token, ""
         self.version += 1
@@ -562,25 +560,25 @@ class Room(Struct, kw_only=True):
         known = self.answers.get(answer.id)
         if known is not None:
             if known.seat != number:
-                raise Refused("That answer is somebody else's.")
+                raise Refused(say("class-refuse-not-yours"))
             return False
         if answer.twin and not seat.twins:
-            raise Refused("Only one sits here.")
+            raise Refused(say("class-refuse-one"))
         if not 0 <= answer.stop < len(self.stops):
-            raise Refused("The class has no such step.")
+            raise Refused(say("class-refuse-no-step"))
         asked = self._asked(answer.stop, answer.round, answer.content.phase)
         if asked is None:
-            raise Refused("The class has not been asked for that.")
+            raise Refused(say("class-refuse-not-asked"))
         content = self._checked(answer)
         previous = self.previous(answer)
         if previous is not None and previous.turn >= answer.turn:
             return False
         if previous is not None and self.is_home and asked.phase is Phase.ASK:
-            raise Refused("You have seen it run: your first answer counts.")
+            raise Refused(say("class-refuse-has-run"))
         if previous is not None and asked.shown:
-            raise Refused("The answers have been shown; yours stays as it was.")
+            raise Refused(say("class-refuse-shown"))
         if previous is None and sum(a.seat == number for a in self.answers.values()) >= MAX_ANSWERS:
-            raise Refused(f"A seat can give {MAX_ANSWERS} answers.")
+            raise Refused(say("class-refuse-answers", most=MAX_ANSWERS))
         self._replace(
             previous, msgspec.structs.replace(answer, content=content, late=asked.shown, starred=False)
         )
@@ -666,12 +664,12 @@ class Room(Struct, kw_only=True):
     def _seat(self, number: int) -> Seat:
         seat = self.seats.get(number)
         if seat is None or seat.removed:
-            raise Refused("There is no such seat.")
+            raise Refused(say("class-refuse-no-seat"))
         return seat
 
     def _answer(self, id: str) -> Answer:
         if id not in self.answers:
-            raise Refused("There is no such answer.")
+            raise Refused(say("class-refuse-no-answer"))
         return self.answers[id]
 
     def _asked(self, stop: int, round: int, phase: Phase) -> Asked | None:

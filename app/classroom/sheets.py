@@ -30,6 +30,7 @@ from msgspec import Meta, Struct
 import sim
 
 from ..lessons import lesson_code
+from ..words import say
 from .answers import Answer, AnyContent, Line, Points, Prediction, Refused, Vote
 from .room import Room
 
@@ -39,9 +40,6 @@ MARK = "SR1"
 MAX_LENGTH = 20_000
 """Letters of a file: even if each is escaped, the message is within the server's limit."""
 
-_NO_TEXT = "That is no code of answers: it begins with SR1 and has letters and digits."
-_NO_FILE = "That file has no answers to a lesson."
-_MISREAD = "The code was read with a wrong letter: scan it again."
 _CHANGED = str.maketrans("YZ", "ZY")
 _ENDS = 192, 64
 """A byte of a place at the high and at the low end of the frame."""
@@ -110,7 +108,7 @@ def import_sheet(room: Room, text: str) -> Imported:
         try:
             sheet = _decoder.decode(text[: MAX_LENGTH + 1])
         except (msgspec.DecodeError, UnicodeError):
-            raise Refused(_NO_FILE) from None
+            raise Refused(say("class-refuse-no-file")) from None
         number, scene = _scene_of(room, sheet.lesson)
     else:
         data = _bytes_of(text)
@@ -119,7 +117,7 @@ def import_sheet(room: Room, text: str) -> Imported:
     first = next(i for i, stop in enumerate(room.stops) if stop.scene == number)
     lesson = scene.lesson
     if lesson is None or len(sheet.steps) != len(lesson.steps):
-        raise Refused("These answers are to a lesson with another number of steps.")
+        raise Refused(say("class-refuse-other-steps"))
     answers = [
         Answer(
             # The same answer has the same id whenever it is imported.
@@ -136,7 +134,7 @@ def import_sheet(room: Room, text: str) -> Imported:
         for content in _contents(step)
     ]
     if not answers:
-        raise Refused("There is no answer in it yet.")
+        raise Refused(say("class-refuse-empty"))
     seat, new = room.import_answers(f"file {sheet.id}", sheet.name, answers)
     reached = tuple(i for i, step in enumerate(sheet.steps, start=1) if step.reached)
     return Imported(seat.name, new, len(answers) - new, reached)
@@ -153,23 +151,23 @@ def _scene_of(room: Room, code: str) -> tuple[int, sim.Scene]:
     for number, scene in enumerate(room.scenes):
         if scene.lesson is not None and lesson_code(scene) == code:
             return number, scene
-    raise Refused("These answers are to another lesson than this class's.")
+    raise Refused(say("class-refuse-other-lesson"))
 
 
 def _bytes_of(text: str) -> bytes:
     """Decode a text, and check and remove its checksum."""
     letters = text.upper()
     if not letters.startswith(MARK) or len(letters) > 200:
-        raise Refused(_NO_TEXT)
+        raise Refused(say("class-refuse-no-code"))
     # A scanner that emulates an English keyboard swaps Y and Z on a computer set to a German one.
     for body in (letters[len(MARK) :], letters[len(MARK) :].translate(_CHANGED)):
         try:
             data = base64.b32decode(body + "=" * (-len(body) % 8))
         except (binascii.Error, ValueError):
-            raise Refused(_MISREAD) from None
+            raise Refused(say("class-refuse-misread")) from None
         if len(data) >= 15 and binascii.crc_hqx(data[:-2], 0xFFFF) == int.from_bytes(data[-2:], "big"):
             return data[:-2]
-    raise Refused(_MISREAD)
+    raise Refused(say("class-refuse-misread"))
 
 
 class _Reader:
@@ -183,7 +181,7 @@ class _Reader:
 
     def take(self, count: int) -> bytes:
         if count > len(self._data):
-            raise Refused(_MISREAD)
+            raise Refused(say("class-refuse-misread"))
         taken, self._data = self._data[:count], self._data[count:]
         return taken
 
@@ -205,7 +203,7 @@ def _unpacked(data: bytes, scene: sim.Scene) -> Sheet:
             tag = reader.number()
             content = reader.take(reader.number())
             if tag >> 1 >= count:
-                raise Refused(_MISREAD)
+                raise Refused(say("class-refuse-misread"))
             if tag & 1:
                 given[tag >> 1]["places"] = _places(content, scene)
             else:
@@ -213,7 +211,7 @@ def _unpacked(data: bytes, scene: sim.Scene) -> Sheet:
         sheet = {"lesson": lesson, "id": id, "turn": turn, "name": name, "steps": given}
         return msgspec.convert({"format": "softrod-answers", "version": 1, **sheet}, Sheet)
     except (UnicodeError, msgspec.ValidationError):
-        raise Refused(_MISREAD) from None
+        raise Refused(say("class-refuse-misread")) from None
 
 
 def _places(content: bytes, scene: sim.Scene) -> tuple[tuple[float, float], ...]:

@@ -18,7 +18,9 @@ from sim.store.files import encode_scene
 from ..export.clip import ClipFrame
 from ..export.picture import png
 from ..stage.plan import Picture
-from .answers import Answer, Prediction, Work
+from ..words import say
+from ..words.keys import Key
+from .answers import Answer, Prediction, Work, doubt_text
 from .axes import axes_of
 from .kept import LOGS, log_path
 from .room import Room
@@ -29,17 +31,22 @@ PICTURES = "pictures"
 PICTURE_SIZE = (640, 480)
 """Width and height of these, pixels."""
 
-README = """What a class gave, {steps} steps, {seats} seats.
+ANSWERS: tuple[Key, ...] = (
+    "zip-step", "zip-title", "zip-asked", "zip-seat", "zip-name", "zip-pupil", "zip-kind", "zip-answer",
+    "zip-right", "zip-late", "zip-starred",
+)  # fmt: skip
+"""The columns of `answers.csv`."""
 
-answers.csv      votes, lines and what was handed in, a row each
-found.csv        what was found and what it was set to, a row a run
-predictions.csv  where masses were predicted to be, in the scene's units, a row a mass
-scenes/          what the class went through; `softrod class scenes/*.json` goes through it with another class
-logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
-pictures/        how the bodies were when they were handed in
+FOUND: tuple[Key, ...] = (
+    "zip-step", "zip-seat", "zip-name", "zip-pupil", "zip-over", "zip-over-unit", "zip-setting", "zip-what",
+    "zip-unit", "zip-found", "zip-doubt",
+)  # fmt: skip
+"""The columns of `found.csv`."""
 
-{names} When the class is ended, nothing of this is left on the computer that held it.
-"""
+PREDICTIONS: tuple[Key, ...] = (
+    "zip-step", "zip-asked", "zip-seat", "zip-name", "zip-pupil", "zip-mass", "zip-x", "zip-y",
+)  # fmt: skip
+"""The columns of `predictions.csv`."""
 
 
 def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: bool = False) -> bytes:
@@ -52,10 +59,7 @@ def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: boo
     """
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as file:
-        seats = sum(not seat.removed for seat in room.seats.values())
-        file.writestr(
-            "README.txt", README.format(steps=len(room.stops), seats=seats, names=_whose_names(room))
-        )
+        file.writestr("README.txt", _readme(room))
         file.writestr("answers.csv", _table(_answers(room), decimal_comma))
         file.writestr("found.csv", _table(_found(room), decimal_comma))
         file.writestr("predictions.csv", _table(_predictions(room), decimal_comma))
@@ -74,13 +78,11 @@ def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: boo
     return made.getvalue()
 
 
-def _whose_names(room: Room) -> str:
-    typed = any(seat.name != seat.given for seat in room.seats.values() if not seat.removed)
-    return (
-        "Some seats have names that pupils typed."
-        if typed
-        else "Seats have the names that the class gave out."
-    )
+def _readme(room: Room) -> str:
+    seats = [seat for seat in room.seats.values() if not seat.removed]
+    typed = any(seat.name != seat.given for seat in seats)
+    names = say("zip-typed-names") if typed else say("zip-given-names")
+    return say("zip-readme", steps=len(room.stops), seats=len(seats), names=names) + "\n"
 
 
 def _log_of(work: Work, code: str, unwritten: Mapping[str, bytes]) -> bytes | None:
@@ -111,7 +113,7 @@ def _in_order(room: Room) -> list[Answer]:
 
 
 def _answers(room: Room) -> Iterable[Sequence[str | float]]:
-    yield "step", "title", "asked", "seat", "name", "pupil", "kind", "answer", "right", "late", "starred"
+    yield [say(key) for key in ANSWERS]
     for a in _in_order(room):
         if (cells := a.content.cells(room.step_at(a.stop))) is None:
             continue
@@ -124,16 +126,17 @@ def _answers(room: Room) -> Iterable[Sequence[str | float]]:
 
 def _found(room: Room) -> Iterable[Sequence[str | float]]:
     """Yield the points of the class's plots, and their axes."""
-    yield "step", "seat", "name", "pupil", "over", "over unit", "setting", "what", "unit", "found", "doubt"
+    yield [say(key) for key in FOUND]
     for a in _in_order(room):
         if isinstance(work := a.content, Work) and work.found is not None:
             axes, setting = axes_of(room, a.stop), "" if work.setting is None else work.setting
             whose = a.stop + 1, a.seat, room.seats[a.seat].name, a.twin + 1
-            yield *whose, axes.over, axes.over_unit, setting, axes.what, axes.unit, work.found, work.doubt
+            over, what = (axes.over, axes.over_unit), (axes.what, axes.unit)
+            yield *whose, *over, setting, *what, work.found, doubt_text(work.doubt)
 
 
 def _predictions(room: Room) -> Iterable[Sequence[str | float]]:
-    yield "step", "asked", "seat", "name", "pupil", "mass", "x", "y"
+    yield [say(key) for key in PREDICTIONS]
     for a in _in_order(room):
         if isinstance(a.content, Prediction):
             for mass, (x, y) in enumerate(a.content.points):
@@ -146,7 +149,7 @@ def _slug(text: str) -> str:
 
 
 def _yes(on: bool) -> str:
-    return "yes" if on else "no"
+    return say("zip-yes") if on else say("zip-no")
 
 
 def _table(rows: Iterable[Sequence[str | float]], decimal_comma: bool) -> str:

@@ -40,13 +40,13 @@ def replay_html(clip: Clip) -> bytes:
     title = shown_name(scene)
     style, script = _looks()
     icons = icon(**_ICONS)
-    body = f"""<canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
+    body = f"""<main><canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
 <div class="bar">
 <button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{icons}</button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="{said("replay-time")}">
 <output id="clock" for="time"></output>
 <select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
-</div>"""
+</div></main>"""
     return html_file(clip.frames[0], body, style, script, {"about": about, "data": data})
 
 

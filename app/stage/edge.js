@@ -1,7 +1,7 @@
 // @ts-check
 /** A button at the edge of the view, an arrow towards a body that has left it; it shows the whole scene. */
 import { fit } from "./camera.js";
-import { iconHtml, makeButton } from "../ui/dialog.js";
+import { iconHtml, makeButton, overCanvas } from "../ui/dialog.js";
 import { withKey } from "../ui/hands/key_table.js";
 import { say } from "../words/words.js";
 
@@ -75,7 +75,7 @@ export function addEdgeArrow() {
   button.ariaLabel = say("stage-away");
   button.title = withKey(say("command-fit"), "fit");
   button.innerHTML = iconHtml("M5 10v4h8v5l7-7-7-7v5z");
-  document.body.append(button);
+  overCanvas().append(button);
   /** @param {import("./sight.js").Sight} seen */
   return ({ places, box: { left, right, top }, floor: bottom }) => {
     const arrow = edgeArrow(places, { left, right, top, bottom });

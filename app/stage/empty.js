@@ -1,6 +1,6 @@
 // @ts-check
 /** A sentence on an empty canvas, and a button for the tool that draws a body. */
-import { make, makeButton } from "../ui/dialog.js";
+import { make, makeButton, overCanvas } from "../ui/dialog.js";
 import { editing, isEditable, onEditing, setEditing, setTool } from "../features/edit/editing.js";
 import { say } from "../words/words.js";
 import { onMarksRedraw, redrawMarks } from "./sight.js";
@@ -19,7 +19,7 @@ export function addEmpty() {
   });
   button.classList.add("softrod-first");
   note.append(text, button);
-  document.body.append(note);
+  overCanvas().append(note);
   const touch = matchMedia("(pointer: coarse)");
   const building = () => editing.on && editing.tool === "build";
   onEditing(redrawMarks);

@@ -1,5 +1,6 @@
 // @ts-check
 /** Thin marks over the body: the joint that is read out, the chosen mass, a hint, and a scale bar. */
+import { overCanvas } from "../ui/dialog.js";
 import { pageState } from "../wire/channel.js";
 import { roundDown, roundUp } from "./axes.js";
 import { RING } from "./looks.js";
@@ -49,7 +50,7 @@ export function addOverlay() {
   /** @type {Add} */
   const add = (kind, name) => makeSvg(kind, name, svg);
   for (const mark of [jointMark, chosenMark, hintMark, scaleMark]) onMarksRedraw(mark(add));
-  document.body.append(svg);
+  overCanvas().append(svg);
   keepMarksDrawn();
 }
 

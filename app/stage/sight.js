@@ -1,5 +1,6 @@
 // @ts-check
 /** The picture that is shown and its place on the screen, and the marks that are drawn over it. */
+import { overCanvas } from "../ui/dialog.js";
 import { onFit } from "./camera.js";
 import { onRender, shown } from "./canvas.js";
 import { floorOf } from "./dock.js";
@@ -31,7 +32,7 @@ let drawnOver = null;
 export const onMarksRedraw = (draw) => listeners.push(draw);
 
 /** Adds a layer of marks to the page, under the instruments. @param {SVGSVGElement} svg */
-export const insertMarksLayer = (svg) => document.body.insertBefore(svg, document.querySelector(".softrod-instruments"));
+export const insertMarksLayer = (svg) => overCanvas().insertBefore(svg, document.querySelector(".softrod-instruments"));
 
 /** Redraws all marks. */
 export function redrawMarks() {

@@ -5,7 +5,7 @@
  */
 import { stopSending } from "../wire/channel.js";
 import { reasonOfRefusal } from "../wire/reach.js";
-import { make } from "./dialog.js";
+import { make, overCanvas } from "./dialog.js";
 import { lost } from "./kept/keep.js";
 import { say } from "../words/words.js";
 
@@ -44,7 +44,7 @@ export function watchConnectionLoss() {
   for (const kind of BEGINNINGS) window.addEventListener(kind, swallow, { capture: true, passive: false });
   const banner = make("div", "softrod-banner");
   banner.setAttribute("role", "status");
-  document.body.append(banner);
+  overCanvas().append(banner);
   let wasConnected = false;
   return (line) => {
     const away = line !== "connected";

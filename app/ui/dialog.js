@@ -32,6 +32,9 @@ export function makeButton(text, press, name = "softrod-button") {
   return button;
 }
 
+/** The part of the page with the body, and with all that stands over it: where the page's tools go. @returns {HTMLElement} */
+export const overCanvas = () => document.querySelector("main") || document.body;
+
 /**
  * Makes a dialog with a title and a button that closes it.
  *

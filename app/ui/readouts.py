@@ -24,11 +24,11 @@ from ..words.keys import Key
 from ..words.settings import options_of
 
 _NAMES: dict[str, Key] = {
-    "sine": "reading-sine",
-    "cosine": "reading-cosine",
-    "radians": "reading-angle",
-    "degrees": "reading-angle",
-    "rest_angle": "reading-rest-angle",
+    "sine": "card-sine",
+    "cosine": "card-cosine",
+    "radians": "card-angle",
+    "degrees": "card-angle",
+    "rest_angle": "card-rest-angle",
 }
 
 _BEHIND = 5.0
@@ -143,7 +143,7 @@ def joint_table(session: Session) -> str:
     }
     # Named as in plots; numbers count from 0 everywhere.
     rows = [
-        f"<tr><td>joint{session.joint}</td><td>{html.escape(say('reading-of', count=len(angles)))}</td></tr>"
+        f"<tr><td>joint{session.joint}</td><td>{html.escape(say('card-of', count=len(angles)))}</td></tr>"
     ]
     rows += [
         f"<tr><td>{html.escape(say(_NAMES[key]))}</td><td>{values[key]}</td></tr>"
@@ -162,20 +162,20 @@ def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[s
         return _tenths(found.read(session.simulation), found.unit)
 
     if joint is None:
-        return say("reading-mass", mass=str(mass)), {
-            say("reading-x"): read(f"mass{mass}.x"),
-            say("reading-y"): read(f"mass{mass}.y"),
-            say("reading-speed"): read(f"mass{mass}.speed"),
+        return say("card-mass", mass=str(mass)), {
+            say("card-x"): read(f"mass{mass}.x"),
+            say("card-y"): read(f"mass{mass}.y"),
+            say("card-speed"): read(f"mass{mass}.speed"),
         }
     others = sum(mass_of_joint(scene, j) == mass for j in range(len(scene.angular_springs))) - 1
-    title = say("reading-joint", joint=str(joint))
+    title = say("card-joint", joint=str(joint))
     if others:
-        title = say("reading-joint.of", joint=str(joint), count=others + 1)
+        title = say("card-joint.of", joint=str(joint), count=others + 1)
     return title, {
-        say("reading-angle"): read(f"joint{joint}.angle"),
-        say("reading-rest-angle"): read(f"joint{joint}.rest_angle"),
-        say("reading-stiffness"): f"{grouped(scene.angular_springs[joint].stiffness)} kg/s²",
-        say("reading-speed"): read(f"mass{mass}.speed"),
+        say("card-angle"): read(f"joint{joint}.angle"),
+        say("card-rest-angle"): read(f"joint{joint}.rest_angle"),
+        say("card-stiffness"): f"{grouped(scene.angular_springs[joint].stiffness)} kg/s²",
+        say("card-speed"): read(f"mass{mass}.speed"),
     }
 
 

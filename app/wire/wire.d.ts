@@ -33,7 +33,7 @@ export type DeskTried = { trip: number; rate: number; works: boolean; doubts: bo
 /** A stop of the class's plan. */
 export type DeskStop = { title: string; phases: ["ask" | "collect" | "explain" | "lobby" | "results" | "reveal" | "run" | "show" | "try", number][] };
 /** A seat, as the teacher sees it. */
-export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: string; follows: boolean; digits: string };
+export type DeskSeat = { number: number; name: string; color: string; here: boolean; two: boolean; hand: boolean; answered: boolean; doing: "" | "at rest" | "exploded" | "goal reached" | "moving" | "paused" | "untouched"; done: boolean[]; follows: boolean; digits: string };
 /** An answer, as the teacher sees it. */
 export type DeskAnswer = { id: string; seat: number; kind: "line" | "prediction" | "vote" | "work"; choice: number; text: string; late: boolean; starred: boolean; found: number | null; setting: number | null; reached: boolean | null; doubt: string; places: [number, number][] };
 /** A scene that the class could go through: its name, and its title. */

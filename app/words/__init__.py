@@ -37,6 +37,7 @@ _FOLDER = Path(__file__).parent
 _KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')
 _PLACE = re.compile(r"\{say ([a-z0-9-]+)((?:\.[a-z]+)?)\}")
 _RANGE = re.compile(r"\s*([A-Za-z]{1,8}(?:-[A-Za-z0-9]{1,8})*|\*)\s*(?:;\s*q\s*=\s*([0-9.]{1,5}))?\s*")
+_VALUE = re.compile(r"\{ \$([A-Za-z]+)")
 _ACCENTS = str.maketrans("aceinouyACDEINOSUYZdgklrstz", "àçéîñöüýÀÇÐÉÎÑÖŠÛÝŽðğķļŕšťž")
 
 _now: ContextVar[str] = ContextVar("language", default=ENGLISH)
@@ -219,11 +220,16 @@ def localized(page: str, tag: str, script: str = "") -> str:
 
     Args:
         page: HTML, in English; ``{say class-title}`` is where a text stands, and ``{words}`` where those do
-            that its script says.
+            that its script says. What stands in a text's places is for a script to fill, as in ``{count}``.
         tag: the language.
         script: the page's.
     """
-    said = _PLACE.sub(lambda match: html.escape(_text(tag, match[1] + match[2])), page)
+
+    def fill(match: re.Match[str]) -> str:
+        values = _VALUE.findall(FluentSerializer().serialize_entry(_messages(tag)[match[1]]))
+        return html.escape(_text(tag, match[1] + match[2], **{name: f"{{{name}}}" for name in values}))
+
+    said = _PLACE.sub(fill, page)
     return said.replace('<html lang="en"', f"<html {way_of(tag)}", 1).replace(
         "{words}", element(script, tag, _offered()), 1
     )

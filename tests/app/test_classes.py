@@ -177,13 +177,13 @@ def test_a_full_disk_is_told_once_and_what_was_given_meanwhile_is_kept_when_ther
         tended(classroom, lambda: tries > 5)
         assert classroom.written < classroom.room.version
         assert classroom.trouble == "No space left on device"
-        assert [title for title, _ in classroom.notices] == ["The class is not being kept"]
+        assert [notice()[0] for notice in classroom.notices] == ["The class is not being kept"]
         with zipfile.ZipFile(io.BytesIO(classroom.pack().result())) as file:
             assert b"a log" in [file.read(name) for name in file.namelist()]
     assert sum("cannot be written" in record.message for record in caplog.records) == 1
     until_written(classroom)
     assert kept.log_path(classroom.room.code, log).read_bytes() == b"a log"
-    assert [title for title, _ in classroom.notices][1:] == ["The class is being kept again"]
+    assert [notice()[0] for notice in classroom.notices][1:] == ["The class is being kept again"]
     assert not classroom.trouble
     # Of two runs, the later one stays.
     hand_in_a_run(classroom, 2)
@@ -289,7 +289,7 @@ def test_a_class_that_cannot_be_deleted_goes_on(class_folder: Path, monkeypatch:
         patched.setattr("shutil.rmtree", refuse)
         classroom.end()
         tended(classroom, lambda: bool(classroom.notices))
-    title, text = classroom.notices.popleft()
+    title, text = classroom.notices.popleft()()
     assert title == "The class goes on"
     assert text == f"Its folder {class_folder / classroom.room.code} cannot be deleted: Permission denied."
     # Answers are taken and kept as before, and it can be ended later.

@@ -16,12 +16,13 @@ from app.cli.main import Check
 from app.features.lesson.messages import BeginStep, LessonStep
 from app.features.lesson.messages import Lesson as LessonState
 from app.features.lesson.panel import LessonPanel
-from app.lessons import check_lesson, goal_text, quantity_text, read_masses
+from app.lessons import check_lesson, goal_text, quantity_text, read_masses, run_text
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
 from app.session.plots import PlotSpec
 from app.wire.messages import read
+from app.words import speaking
 from sim.edit.build import add_mass
 from sim.edit.lesson import add_step
 from sim.scene.lesson import Goal, Lead, Lesson, Pull, Question, Reading, Step, StepRun
@@ -408,6 +409,23 @@ def test_formulas_in_a_step_are_named_as_they_are_and_read_their_masses() -> Non
     wrong = msgspec.structs.replace(step, plots=("mass0.x + 1",))
     with pytest.raises(sim.InputError, match=r"^lesson\.steps\[0\]\.plots\[0\]: .* cannot be added"):
         check_lesson(with_lesson(wrong))
+
+
+@pytest.mark.parametrize(
+    ("tag", "said"),
+    [
+        ("en", "period of the body: at most 2 s, for 0.5 s; "
+         "mass 1 is pulled 3 px right and 4 px up and let go."),
+        ("de", "Periodendauer des Körpers: höchstens 2 s, 0.5 s lang; "
+         "Masse 1 wird 3 px nach rechts und 4 px nach oben gezogen und losgelassen."),
+    ],
+)  # fmt: skip
+def test_goals_and_runs_are_said_in_the_language_of_the_page(tag: str, said: str) -> None:
+    scene = sim.rope(6)
+    goal = Goal(quantity="body.y", of="period", high=2.0, seconds=0.5)
+    run = StepRun(pulls=(Pull(mass=1, by=(3.0, -4.0)),))
+    with speaking(tag):
+        assert f"{goal_text(goal, scene)}; {run_text(run, scene)}" == said
 
 
 def test_texts_of_presets_name_what_a_finger_can_press_before_a_key() -> None:

@@ -111,6 +111,19 @@ def test_a_page_has_the_words_of_its_script_in_its_language_and_no_others() -> N
     assert "{say" not in page
 
 
+def test_a_page_without_words_has_places_that_its_script_fills() -> None:
+    page = gzip.decompress(page_in("/check", "de").content).decode()
+    assert 'data-pictures="Bewegte Bilder kommen an, {rate} in der Sekunde."' in page
+    assert "{say" not in page
+    script = (ROOT / "app" / "pages" / "check" / "check.js").read_text(encoding="utf-8")
+    given = set(re.findall(r'data-([a-z-]+)="', page)) - {"try"}
+    asked = {
+        name for said in re.findall(r"\btexts?\((.*?)\)", script) for name in re.findall(r'"([a-z-]+)"', said)
+    }
+    asked |= set(re.findall(r'conclude\("([a-z]+)"', script))
+    assert asked == given
+
+
 def test_keys_are_found_in_a_script_as_strings() -> None:
     script = 'const a = say("line-away"), b = {x: "class-title.hint"}, c = "no-such-key";'
     assert re.findall(r"^[a-z-]+(?= =)", of_script(script, ENGLISH), re.M) == ["class-title", "line-away"]

@@ -244,14 +244,14 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """A test that fails is run once more, since a browser on a loaded machine is late now and then. The
     summary names it all the same: it is to wait for what it looks at.
 
-    By day, half of the tests of each file run, the next day the others, unless few are asked for.
+    By day, a third of the tests of each file run, the next days the others, unless few are asked for.
     """
     here = [item for item in items if item.path.is_relative_to(Path(__file__).parent)]
     counts: Counter[Path] = Counter()
     for item in here:
         item.add_marker(pytest.mark.flaky(reruns=1))
         if len(here) > FEW and not has_its_turn(counts[item.path]):
-            item.add_marker(pytest.mark.skip(reason="its turn is tomorrow"))
+            item.add_marker(pytest.mark.skip(reason="its turn is another day"))
         counts[item.path] += 1
 
 

@@ -159,6 +159,9 @@ def test_an_old_browser_with_a_private_window_and_a_wrong_clock_is_told(place: P
     assert "live connection" in "".join(found(phone, "good"))
     until(phone, lambda: place.classroom.checks, "the teacher is told")
     assert not place.classroom.checks[0].works
+    phone.goto(f"{place.check}&lang=de")
+    assert "geht eine Klasse nicht" in verdict(phone)
+    assert "um 10 Minuten" in "".join(found(phone, "fair"))
     phone.context.close()
 
 

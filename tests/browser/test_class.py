@@ -479,3 +479,30 @@ def test_answers_from_the_lessons_file_by_code_and_as_a_file(
     assert prediction.points[1][1] == pytest.approx(predicted)
     assert [content for _, content in room.given(0, 0, Vote)] == [Vote(1)]
     assert [content for _, content in room.given(0, 0, Line)] == [Line("<b>Energy</b> stays")]
+
+
+def test_the_pages_of_one_class_have_their_own_languages(school: School) -> None:
+    """In pseudo-English all that is plain is a name, or said by the lesson."""
+    room, base = school.classroom.room, f"{school.base}?room={school.classroom.room.code}"
+
+    def go(phase: Phase) -> None:
+        with FRAME_LOCK:
+            room.go(0, phase)
+
+    wall = school.open(f"{base}&as=wall&lang=de", WALL)
+    expect(wall.locator(".softrod-wall-address")).to_contain_text("Scannen, oder 127.0.0.1")
+    pupil = school.open(f"{base}&lang=de", PHONE)
+    expect(pupil.locator(".softrod-task")).to_have_text("Du bist dabei. Gleich geht es los.")
+    expect(wall.get_by_text("1 ist da", exact=True)).to_be_visible()
+    go(Phase.ASK)
+    expect(wall.locator(".softrod-wall-count")).to_have_text("0 von 1 haben geantwortet")
+    pupil.locator("[data-focus=choice1]").click()
+    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 haben geantwortet")
+    go(Phase.REVEAL)
+    verdict = "Du hast gewählt: at 240. Die richtige Antwort: at 240. Energy."
+    expect(pupil.locator(".softrod-verdict")).to_have_text(verdict)
+    plain = school.open(f"{base}&lang=en-XA", PHONE)
+    expect(plain.locator("details summary")).to_contain_text("Thîš··")
+    said = plain.locator("button, label, summary, .softrod-task").all_text_contents()
+    assert len(said) > 5
+    assert not [text for text in said if text.isascii()]

@@ -97,7 +97,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 {charts}<details id="others" hidden><summary>{said("live-others")}</summary></details>
 <div id="numbers"></div>
 {folds}</aside>
-<div class="bar">
+<section class="bar" aria-label="{said("live-time")}">
 <button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{play}</button>
 <button id="step" type="button" aria-label="{said("live-step")}">+1</button>
 <button id="reset" type="button" aria-label="{said("live-reset")}">{reset}</button>
@@ -106,7 +106,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <div id="pad" hidden>{arrows}</div>
 <output id="clock"></output>
 <button id="view" type="button" aria-label="{said("live-view")}">?</button>
-</div>
+</section>
 <p id="says" class="hidden" role="status"></p>"""
     return html_file(
         ClipFrame.of(moment), body, style, script, {"about": _about(moment, has)}, note, early_script(), bar

@@ -2,7 +2,8 @@
 /** What a teacher looks at before the class, one after the other: the lesson, the network, a check, the wall. */
 import { send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
-import { box, qrCode, typedAddress } from "./elements.js";
+import { say } from "../../words/words.js";
+import { box, qrCode, sayWith, typedAddress } from "./elements.js";
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {HTMLElement[]} */
 export function beforehand(desk) {
@@ -33,16 +34,16 @@ function lesson({ lessons, lesson, stops }) {
   if (!lessons.length) return [];
   const known = lessons.map(({ name, title }) => ({ value: name, text: title }));
   const options = known.some(({ value }) => value === lesson) ? known : [{ value: lesson, text: stops[0].title }, ...known];
-  const choice = list("Lesson", "lesson", options, lesson, (name) => name && send({ do: "chooseLesson", name }));
-  return [["Which lesson?", choice, make("p", "softrod-quiet", `It has ${stops.length} ${stops.length === 1 ? "step" : "steps"}.`)]];
+  const choice = list(say("desk-lesson"), "lesson", options, lesson, (name) => name && send({ do: "chooseLesson", name }));
+  return [[say("desk-which-lesson"), choice, make("p", "softrod-quiet", say("desk-lesson-steps", { count: stops.length }))]];
 }
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {Part[]} */
 function network({ networks, address }) {
   if (!networks.length) return [];
   const options = networks.map((one) => ({ value: one, text: typedAddress(one) }));
-  const choice = list("Address", "network", options, address, (one) => send({ do: "chooseNetwork", address: one }));
-  return [["In which network are the pupils?", choice, make("p", "softrod-quiet", "This computer is in several. The addresses of pupils' devices begin alike.")]];
+  const choice = list(say("desk-address"), "network", options, address, (one) => send({ do: "chooseNetwork", address: one }));
+  return [[say("desk-which-network"), choice, make("p", "softrod-quiet", say("desk-networks"))]];
 }
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {Part} */
@@ -51,24 +52,23 @@ function check({ check, check_qr, tried, seats }) {
   link.dataset.focus = "check";
   const found = box("ul", "", ...tried.map((one) => make("li", one.works ? "" : "softrod-warning", words(one))));
   found.setAttribute("role", "status");
-  const nothing = "If a phone finds nothing at this address, the network keeps devices apart: use this computer's own hotspot.";
   return [
-    "Does the network let them in?",
-    box("div", "softrod-scan", qrCode(check_qr, check), box("p", "", "Scan this with a phone that is in the pupils' network, or open ", link)),
+    say("desk-lets-in"),
+    box("div", "softrod-scan", qrCode(check_qr, check), box("p", "", ...sayWith("desk-scan", { address: link }))),
     found,
-    ...(tried.length || seats.length ? [] : [make("p", "softrod-quiet", nothing)]),
+    ...(tried.length || seats.length ? [] : [make("p", "softrod-quiet", say("desk-finds-nothing"))]),
   ];
 }
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {Part} */
 function wayIn({ address, code, qr }) {
-  const wall = Object.assign(make("a", "softrod-small", "Open the wall"), { href: `?room=${code}&as=wall`, target: "_blank" });
+  const wall = Object.assign(make("a", "softrod-small", say("desk-open-wall")), { href: `?room=${code}&as=wall`, target: "_blank" });
   wall.dataset.focus = "openWall";
-  return ["Put the wall on the projector", box("p", "", wall), qrCode(qr, `${address}?room=${code}`, "softrod-way-in"), make("p", "softrod-quiet", "The wall shows this, too, large: it is the pupils' way in.")];
+  return [say("desk-projector"), box("p", "", wall), qrCode(qr, `${address}?room=${code}`, "softrod-way-in"), make("p", "softrod-quiet", say("desk-way-in"))];
 }
 
 /** @param {import("../../wire/wire.js").DeskTried} tried */
 function words({ trip, rate, works, doubts }) {
-  if (!works) return "A device: it cannot take part; it says why.";
-  return `A device: ${doubts ? "works, and says what to mind" : "all right"}, ${trip} ms, ${rate} pictures a second`;
+  if (!works) return say("desk-tried-in-vain");
+  return say(doubts ? "desk-tried-doubts" : "desk-tried", { ms: String(trip), rate });
 }

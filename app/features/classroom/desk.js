@@ -5,8 +5,9 @@
  */
 import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 import { beforehand } from "./beforehand.js";
-import { box, button, fold, icon, typedAddress, untranslated } from "./elements.js";
+import { box, button, fold, icon, sayWith, typedAddress, untranslated } from "./elements.js";
 import { guide } from "./guide.js";
 import { hearImports, importResults, imports } from "./imports.js";
 import { OWN_BODY } from "./phases.js";
@@ -22,19 +23,21 @@ import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.
 /** @typedef {[stop: number, phase: Phase, round: number]} Place */
 
 /** Labels of the phases on their buttons. */
-const PHASES = {
-  lobby: "Come in",
-  show: "Look at me",
-  ask: "Ask",
-  results: "Show answers",
-  run: "Run it",
-  reveal: "Reveal",
-  explain: "Explain in a line",
-  try: "Let them try",
-  collect: "Collect",
-};
-/** Phases that wait for each pupil, and what for. @type {Partial<Record<Phase, string>>} */
-const WAITED = { ask: "have answered", explain: "have written a line", collect: "have handed in" };
+const PHASES = /** @type {const} */ ({
+  lobby: "desk-lobby",
+  show: "desk-show",
+  ask: "desk-ask",
+  results: "desk-results",
+  run: "desk-run",
+  reveal: "desk-reveal",
+  explain: "desk-explain",
+  try: "desk-try",
+  collect: "desk-collect",
+});
+/** Of those that come again. @type {Partial<Record<Phase, "desk-ask.again" | "desk-results.again">>} */
+const AGAIN = { ask: "desk-ask.again", results: "desk-results.again" };
+/** Phases that wait for each pupil, and how many have done it. @type {Partial<Record<Phase, "class-answered" | "class-wrote" | "class-handed-in">>} */
+const WAITED = { ask: "class-answered", explain: "class-wrote", collect: "class-handed-in" };
 /** Percentage of right answers below which the step is taught once more (Mazur 1997). */
 const TEACH_BELOW = 35;
 /** Percentage of right answers up to which pupils talk in pairs, and are asked again (Mazur 1997). */
@@ -52,9 +55,9 @@ let showsControls = false;
 /** Makes the teacher's part. */
 export function addDesk() {
   const lead = make("aside", "softrod-class softrod-desk");
-  lead.ariaLabel = "What to say and do";
+  lead.ariaLabel = say("desk-lead");
   const room = make("aside", "softrod-class softrod-desk-room");
-  room.ariaLabel = "The class";
+  room.ariaLabel = say("desk-room");
   const both = box("div", "softrod-desk-parts", lead, room);
   const predictions = new Predictions({ onRedraw: onMarksRedraw, insert: insertMarksLayer, redraw: redrawMarks, at: () => null });
   const left = new Part(lead, parts, importResults);
@@ -81,7 +84,7 @@ export function addDesk() {
   onMessage("classEnded", () => {
     predictions.show([]);
     room.remove();
-    lead.replaceChildren(make("h2", "", "The class is over"), make("p", "", "Nothing that was given is kept on this computer."));
+    lead.replaceChildren(make("h2", "", say("desk-over")), make("p", "", say("desk-nothing-kept")));
   });
 }
 
@@ -115,7 +118,7 @@ class Part {
 function parts(desk) {
   if (desk.home) {
     const ahead = beforehand(desk);
-    return [head(desk), homework(desk), ...(ahead.length ? [fold("How pupils come in", ahead)] : [])];
+    return [head(desk), homework(desk), ...(ahead.length ? [fold(say("desk-come-in"), ahead)] : [])];
   }
   return [head(desk), now(desk), ...beforehand(desk), ...advice(desk), actions(desk), onward(desk)];
 }
@@ -129,17 +132,17 @@ const go = ([stop, phase, round]) => send({ do: "stage", stop, phase, round });
 function head(desk) {
   const { code, address, saved, trouble, seats } = desk;
   const letters = untranslated(make("b", "softrod-desk-code", code));
-  const here = make("span", "softrod-chip", `${counted(seats)} here`);
-  const wall = Object.assign(make("a", "softrod-small", "Wall"), { href: `?room=${code}&as=wall`, target: "_blank" });
+  const here = make("span", "softrod-chip", say("desk-here", { count: counted(seats) }));
+  const wall = Object.assign(make("a", "softrod-small", say("desk-wall")), { href: `?room=${code}&as=wall`, target: "_blank" });
   wall.dataset.focus = "wall";
-  const controls = button("Controls", showControls, { focus: "controls", pressed: showsControls, label: "Controls of my own body" });
-  const writing = trouble ? make("b", "softrod-warning", "not kept") : make("span", "softrod-quiet", saved ? "" : "saving…");
+  const controls = button(say("desk-controls"), showControls, { focus: "controls", pressed: showsControls, label: say("desk-controls.label") });
+  const writing = trouble ? make("b", "softrod-warning", say("desk-not-kept")) : make("span", "softrod-quiet", saved ? "" : say("desk-saving"));
   writing.title = trouble;
-  const way = box("p", "softrod-quiet", "Pupils type ", untranslated(make("b", "", typedAddress(address))), ` and ${code}.`);
-  const more = fold("", [box("div", "softrod-desk-menu", way, foot(desk), fold("Answers from files", [imports(refresh)]))], "More");
+  const way = box("p", "softrod-quiet", ...sayWith("desk-pupils-type", { address: untranslated(make("b", "", typedAddress(address))), code }));
+  const more = fold("", [box("div", "softrod-desk-menu", way, foot(desk), fold(say("desk-files"), [imports(refresh)]))], "More");
   more.classList.add("softrod-desk-more");
   const summary = /** @type {HTMLElement} */ (more.firstElementChild);
-  summary.ariaLabel = "More";
+  summary.ariaLabel = say("desk-more");
   summary.append(icon("more"));
   return box("header", "", letters, here, writing, controls, wall, more);
 }
@@ -154,29 +157,29 @@ function showControls() {
 
 /** Homework: until when, how many have done what, and which step is looked at. @param {Desk} desk */
 function homework({ home, told, done, stops, asking: { stop } }) {
-  const tell = () => confirm("Tell everybody the right answers now? What comes in after that counts as late.") && arrange("tell");
+  const tell = () => confirm(say("desk-tell.confirm")) && arrange("tell");
   const rows = stops.map(({ title }, i) => {
     const [answered, handedIn] = done[i];
-    const text = `${i + 1}. ${title}: ${answered} answered, ${handedIn} handed in`;
+    const text = say("desk-home-step", { number: i + 1, title, answered, handed: handedIn });
     return box("li", "", button(text, () => go([i, "show", 0]), { focus: `stop${i}`, pressed: i === stop }));
   });
   return box(
     "section",
     "softrod-desk-now",
-    make("h2", "", told ? "Homework: answers told" : `Homework until ${home}`),
-    make("p", "", told ? "Everybody sees the right answers. What comes in now counts as late." : "Pupils come in at any time, without you. They see the right answers then, or as soon as you tell them."),
-    ...(told ? [] : [button("Tell the right answers now", tell, { focus: "tell" })]),
+    make("h2", "", told ? say("desk-home-told") : say("desk-home-until", { date: home })),
+    make("p", "", say(told ? "desk-home-told.about" : "desk-home-until.about")),
+    ...(told ? [] : [button(say("desk-tell"), tell, { focus: "tell" })]),
     box("ol", "softrod-homework", ...rows),
   );
 }
 
 /** The label of a place of the plan on a button. @param {Place} place @param {number} at */
-const labelOf = ([stop, phase, round], at) => (stop === at ? `${PHASES[phase]}${round > 0 ? " again" : ""}` : `Step ${stop + 1}`);
+const labelOf = ([stop, phase, round], at) => (stop === at ? say((round > 0 && AGAIN[phase]) || PHASES[phase]) : say("desk-step", { number: stop + 1 }));
 
 /** How many minutes the class has had. */
 function minutes() {
   if (!desk || desk.elapsed < 0) return "";
-  return `${Math.floor((desk.elapsed + (performance.now() - toldAt) / 1000) / 60)} min so far`;
+  return say("desk-minutes", { minutes: Math.floor((desk.elapsed + (performance.now() - toldAt) / 1000) / 60) });
 }
 
 /** @param {HTMLElement} element */
@@ -200,7 +203,7 @@ function progress({ stops, asking }) {
   if (at < 0) return [];
   const bar = box("div", "softrod-desk-bar", ...phases.map((_, i) => Object.assign(make("i", ""), { className: i < at ? "softrod-past" : i === at ? "softrod-now" : "" })));
   bar.ariaHidden = "true";
-  return [box("div", "softrod-desk-progress", make("span", "", `Phase ${at + 1} of ${phases.length}`), make("span", "softrod-desk-minutes", minutes()), bar)];
+  return [box("div", "softrod-desk-progress", make("span", "", say("desk-phase", { number: at + 1, phases: phases.length })), make("span", "softrod-desk-minutes", minutes()), bar)];
 }
 
 /** What the class does now, and what to say and do. @param {Desk} desk */
@@ -208,16 +211,17 @@ function now(desk) {
   const { stops, asking, seats } = desk;
   const { stop, phase, round } = asking;
   const pick = make("select", "");
-  pick.ariaLabel = "Step";
+  pick.ariaLabel = say("desk-steps");
   pick.dataset.focus = "step";
   stops.forEach(({ title }, i) => pick.add(new Option(`${i + 1}. ${title}`, String(i), false, i === stop)));
   pick.addEventListener("change", () => send({ do: "stage", stop: Number(pick.value), phase: "show" }));
   const words = guide(asking);
   const about = box("div", "softrod-desk-about", make("b", "", labelOf([stop, phase, round], stop)));
   about.setAttribute("role", "status");
-  if (WAITED[phase]) about.append(make("span", "", `${seats.filter(({ here, answered }) => here && answered).length} of ${counted(seats)} ${WAITED[phase]}`));
+  const waited = WAITED[phase];
+  if (waited) about.append(make("span", "", say(waited, { done: seats.filter(({ here, answered }) => here && answered).length, all: counted(seats) })));
   const lines = make("dl", "softrod-desk-guide");
-  lines.append(make("dt", "", "Say"), make("dd", "softrod-desk-say", words.say), make("dt", "", "Do"), make("dd", "", words.do));
+  lines.append(make("dt", "", say("desk-say")), make("dd", "softrod-desk-say", words.say), make("dt", "", say("desk-do")), make("dd", "", words.do));
   return box("section", "softrod-desk-now", ...(stops.length > 1 ? [pick] : []), ...progress(desk), about, lines);
 }
 
@@ -235,7 +239,7 @@ function before({ stops, asking }) {
 function onward(desk) {
   const { stops, asking: { stop, ...now }, next } = desk;
   const back = before(desk);
-  const all = fold("All phases", [
+  const all = fold(say("desk-all-phases"), [
     box("div", "softrod-phases", ...stops[stop].phases.map(([phase, round]) => {
       const pressed = phase === now.phase && round === now.round;
       return button(labelOf([stop, phase, round], stop), () => go([stop, phase, round]), { pressed });
@@ -244,8 +248,8 @@ function onward(desk) {
   return box(
     "footer",
     "softrod-desk-onward",
-    next ? button(`Next: ${labelOf(next, stop)}`, () => go(next), { focus: "next", name: "softrod-strong" }) : make("p", "softrod-quiet", "That was the last step."),
-    ...(back ? [button("Back", () => go(back), { focus: "back", name: "softrod-plain", label: `Back to: ${labelOf(back, stop)}` })] : []),
+    next ? button(say("desk-next", { place: labelOf(next, stop) }), () => go(next), { focus: "next", name: "softrod-strong" }) : make("p", "softrod-quiet", say("desk-last")),
+    ...(back ? [button(say("desk-back"), () => go(back), { focus: "back", name: "softrod-plain", label: say("desk-back.label", { place: labelOf(back, stop) }) })] : []),
     all,
   );
 }
@@ -257,30 +261,30 @@ function advice({ asking: { stop, phase, round }, bars, right, seats, stops }) {
   const isComplete = phase === "ask" && here.length > 0 && here.every(({ answered }) => answered);
   if (!votes || right < 0 || !(isComplete || phase === "results")) return [];
   const part = Math.round((100 * bars[right]) / votes);
-  const text = part < TEACH_BELOW ? "teach it once more" : part <= PAIRS_UP_TO ? "let them talk in pairs, then ask again" : "go on";
+  const key = part < TEACH_BELOW ? "desk-teach" : part <= PAIRS_UP_TO ? "desk-pairs" : "desk-on";
   /** @type {[number, Phase, number] | null} */
   const way = part < TEACH_BELOW ? [stop, "show", 0] : part <= PAIRS_UP_TO && round === 0 ? [stop, "ask", 1] : null;
   const isThere = way && stops[stop].phases.some(([phase, round]) => phase === way[1] && round === way[2]);
   const buttons = isThere && phase === "results" ? [button(labelOf(way, stop), () => go(way), { focus: "advice" })] : [];
-  const some = votes < here.length ? ` of the ${votes} who have answered` : "";
-  return [box("div", "softrod-desk-advice", make("p", "", `${part} % right${some}: ${text}.`), ...buttons)];
+  const text = votes < here.length ? say(`${key}.some`, { part, votes }) : say(key, { part });
+  return [box("div", "softrod-desk-advice", make("p", "", text), ...buttons)];
 }
 
 /** What can be done with all in the present phase. @param {Desk} desk */
 function actions({ asking, paused, gathered, again, law, shows_law }) {
-  const replay = button(again === "now" ? "Slowly, from the start…" : "Again, slowly", () => arrange("again"), { focus: "again" });
-  const giveMine = () => confirm("Give each one your body as it is now? What they have is gone.") && arrange("asMine");
+  const replay = button(say(again === "now" ? "desk-replay.now" : "desk-replay"), () => arrange("again"), { focus: "again" });
+  const giveMine = () => confirm(say("desk-give-mine.confirm")) && arrange("asMine");
   return box(
     "div",
     "softrod-phases",
     ...(again !== "no" ? [replay] : []),
     ...(OWN_BODY.has(asking.phase)
       ? [
-          button("All look at mine", () => arrange(gathered ? "giveBack" : "gather"), { pressed: gathered }),
-          button("Pause all", () => arrange(paused ? "goOn" : "pause"), { pressed: paused }),
-          button("Reset all", () => arrange("reset")),
-          button("Give all mine", giveMine),
-          ...(law ? [button("Show the law", () => arrange(shows_law ? "noLaw" : "law"), { pressed: shows_law })] : []),
+          button(say("desk-gather"), () => arrange(gathered ? "giveBack" : "gather"), { pressed: gathered }),
+          button(say("desk-pause"), () => arrange(paused ? "goOn" : "pause"), { pressed: paused }),
+          button(say("desk-reset"), () => arrange("reset")),
+          button(say("desk-give-mine"), giveMine),
+          ...(law ? [button(say("desk-law"), () => arrange(shows_law ? "noLaw" : "law"), { pressed: shows_law })] : []),
         ]
       : []),
   );
@@ -291,10 +295,10 @@ function foot({ open, own_names }) {
   return box(
     "div",
     "softrod-phases",
-    button(open ? "Close the door" : "Open the door", () => arrange(open ? "close" : "open")),
-    button(own_names ? "Names by us" : "Let them type names", () => arrange(own_names ? "givenNames" : "ownNames")),
-    button("Save a sheet to print", () => arrange("sheet")),
-    button("Save all as a zip", () => arrange("zip")),
-    button("End", () => confirm("End the class? Everything that was given is deleted.") && arrange("end")),
+    button(say(open ? "desk-close" : "desk-open"), () => arrange(open ? "close" : "open")),
+    button(say(own_names ? "desk-given-names" : "desk-own-names"), () => arrange(own_names ? "givenNames" : "ownNames")),
+    button(say("desk-sheet"), () => arrange("sheet")),
+    button(say("desk-zip"), () => arrange("zip")),
+    button(say("desk-end"), () => confirm(say("desk-end.confirm")) && arrange("end")),
   );
 }

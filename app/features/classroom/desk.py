@@ -11,7 +11,7 @@ import numpy as np
 
 from app.classroom import room as rooms
 from app.classroom import sheets
-from app.classroom.answers import OWN_BODY, Answer, Phase, Prediction, Refused, Vote, Work
+from app.classroom.answers import OWN_BODY, Answer, Phase, Prediction, Refused, Vote, Work, doubt_text
 from app.classroom.axes import axes_of
 from app.classroom.live import Class, PupilStatus, SharedView, is_key
 from sim.errors import InputError, SettingError
@@ -24,6 +24,7 @@ from ...session.session import Notice, Session
 from ...ui.controls import Controls
 from ...wire import from_page
 from ...wire.carrier import Mail
+from ...words import say
 from ..files.sharing import qr_code
 from . import messages
 from .messages import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
@@ -79,7 +80,7 @@ class DeskRole(ClassRole):
         self._run_time = 0.0  # at which the log of the run was taken
         self._usual_speed: float | None = None  # during a slow replay
         self._replay_begins = False
-        # A file for the browser to save that is being made: its name, a title, and its bytes.
+        # A file for the browser to save that is being made: its name, what to say if it fails, and its bytes.
         self._making: tuple[str, str, Future[bytes]] | None = None
         # Where the class was, and what the bodies did, when the page was told last.
         self._posters: tuple[int, tuple[tuple[int, PupilStatus], ...]] | None = None
@@ -131,7 +132,7 @@ class DeskRole(ClassRole):
                 case messages.Arrange(what):
                     self._arrange(what, session)
         except Refused as error:
-            session.notices.append(Notice("error", "That is not possible", str(error)))
+            session.notices.append(Notice("error", say("desk-not-possible"), str(error)))
 
     def frame(self, session: Session) -> None:
         if self._making is not None and self._making[2].done():
@@ -148,7 +149,7 @@ class DeskRole(ClassRole):
         if classroom.desk is self:
             self._lead(session)
             while classroom.notices:
-                session.notices.append(Notice("warning", *classroom.notices.popleft()))
+                session.notices.append(Notice("warning", *classroom.notices.popleft()()))
         statuses = classroom.statuses if self.room.phase in OWN_BODY else {}
         posters = self.room.at, tuple(statuses.items())
         if posters != self._posters:
@@ -193,15 +194,16 @@ class DeskRole(ClassRole):
             case "law" | "noLaw":
                 room.law = what == "law"
             case "zip":
-                self._making = self._making or (f"class-{room.code}.zip", "The zip", self.classroom.pack())
+                title = say("desk-no-zip")
+                self._making = self._making or (f"class-{room.code}.zip", title, self.classroom.pack())
                 return
             case "lessonFile":
                 name = f"{room.scenes[room.stops[room.at].scene].name}.html"
-                self._making = self._making or (name, "The lesson's file", self.classroom.lesson_file())
+                self._making = self._making or (name, say("desk-no-file"), self.classroom.lesson_file())
                 return
             case "sheet":
                 name = f"{room.scenes[room.stops[room.at].scene].name}-teacher.html"
-                self._making = self._making or (name, "The sheet", self.classroom.teacher_sheet())
+                self._making = self._making or (name, say("desk-no-sheet"), self.classroom.teacher_sheet())
                 return
             case "tell":
                 room.tell()
@@ -217,18 +219,20 @@ class DeskRole(ClassRole):
         except Refused as error:
             self._mail.send(Brought(told=str(error), refused=True))
             return
-        count = f"{imported.new} {'answer' if imported.new == 1 else 'answers'}"
-        known = f", {imported.known} had been brought before" if imported.known else ""
+        if imported.known:
+            count = say("desk-brought-known", name=imported.name, count=imported.new, known=imported.known)
+        else:
+            count = say("desk-brought", name=imported.name, count=imported.new)
         steps = ", ".join(map(str, imported.reached))
-        goals = f". As its own file says, it reached the goal of step {steps}" if steps else ""
-        self._mail.send(Brought(told=f"{imported.name}: {count}{known}{goals}."))
+        goals = say("desk-brought-goals", count=len(imported.reached), steps=steps) if steps else ""
+        self._mail.send(Brought(told=f"{count} {goals}".rstrip()))
 
     def _hand_over(self, name: str, title: str, made: Future[bytes], session: Session) -> None:
         """Have the browser save a file."""
         if (error := made.exception()) is None:
             self._download(name, made.result())
         else:
-            session.notices.append(Notice("error", f"{title} could not be made", str(error)))
+            session.notices.append(Notice("error", title, str(error)))
 
     def _do_with(self, number: int, what: str) -> None:
         """Do something with one seat.
@@ -240,7 +244,7 @@ class DeskRole(ClassRole):
         match what:
             case "reset":
                 if pupil is None or room.phase not in OWN_BODY:
-                    raise Refused("That seat has no body of its own now.")
+                    raise Refused(say("class-refuse-no-body"))
                 pupil.begin()
             case "show" | "hide":
                 room.put_seat_on_wall(number if what == "show" else 0)
@@ -265,11 +269,11 @@ class DeskRole(ClassRole):
             Refused: there is no run, or it cannot be played.
         """
         if self._again == "no":
-            raise Refused("There is no run to see again.")
+            raise Refused(say("class-refuse-no-replay"))
         try:
-            record = decode_log(self.classroom.run, "the run")
+            record = decode_log(self.classroom.run, say("desk-the-run"))
         except InputError as error:
-            raise Refused(f"The run cannot be seen again: {error}.") from None
+            raise Refused(say("class-refuse-replay-broken", reason=str(error))) from None
         if self._usual_speed is None:
             self._usual_speed = session.pacer.speed
         self._replay_begins = True
@@ -328,7 +332,7 @@ class DeskRole(ClassRole):
             step = self.room.step if runs else None
             session.post(commands.Compare((step.ghost or "") if step is not None else "", ""))
         except SettingError as error:
-            session.notices.append(Notice("error", "This step cannot begin", str(error)))
+            session.notices.append(Notice("error", say("desk-cannot-begin"), str(error)))
 
     # --------------------------------------------------------------------- what the page shows
     def _state(self) -> Desk:
@@ -408,7 +412,8 @@ class DeskRole(ClassRole):
             two=seat.twins,
             hand=seat.hand,
             answered=answered,
-            doing=f"{sum(done)} of {len(done)} steps" if done else "untouched" if idle else status.word,
+            doing="untouched" if idle else status.word,
+            done=done,
             follows=seat.follows,
             digits=seat.move,
         )
@@ -435,6 +440,6 @@ class DeskRole(ClassRole):
             found=work.found,
             setting=work.setting,
             reached=work.reached,
-            doubt=work.doubt,
+            doubt=doubt_text(work.doubt),
             places=places_of(np.array(points), scene) if points else (),
         )

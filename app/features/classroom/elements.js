@@ -2,6 +2,9 @@
 /** What the cards of a class are made of; whatever takes the focus has a name by which it keeps it when its card is remade. */
 import { make, makeButton } from "../../ui/dialog.js";
 import { makeSvg } from "../../stage/svg.js";
+import { say } from "../../words/words.js";
+
+/** @typedef {import("../../words/keys.js").Words} Words */
 
 /** Icons as strokes in 24 by 24, since not every font has such letters. */
 const ICONS = {
@@ -30,6 +33,21 @@ export function box(kind, name, ...content) {
   const element = make(kind, name);
   element.append(...content);
   return element;
+}
+
+/**
+ * A text with elements in its places.
+ *
+ * @template {keyof Words} K
+ * @param {K} key @param {Record<Words[K], Node | string | number>} values
+ * @returns {(Node | string)[]}
+ */
+export function sayWith(key, values) {
+  /** @type {Node[]} */
+  const nodes = [];
+  const marked = Object.entries(values).map(([name, value]) => [name, value instanceof Node ? `\0${nodes.push(value) - 1}\0` : value]);
+  const said = say(key, .../** @type {any} */ ([Object.fromEntries(marked)]));
+  return said.split("\0").map((part, i) => (i % 2 ? nodes[Number(part)] : part));
 }
 
 /**
@@ -90,7 +108,7 @@ export function typedText(label, properties, button, take, focus) {
  */
 function typed(input, label, [text, name = "softrod-small"], take, focus) {
   if (focus) input.dataset.focus = focus;
-  const form = box("form", "", label ? box("label", "", label, input) : input, make("button", name, text));
+  const form = box("form", "", label ? box("label", "", `${label} `, input) : input, make("button", name, text));
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     take(input.value.trim());
@@ -99,7 +117,7 @@ function typed(input, label, [text, name = "softrod-small"], take, focus) {
 }
 
 /** A picture of the QR code of an address. @param {string} src @param {string} address @param {string} [name] */
-export const qrCode = (src, address, name = "") => Object.assign(make("img", name), { src, alt: `QR code of ${address}` });
+export const qrCode = (src, address, name = "") => Object.assign(make("img", name), { src, alt: say("class-qr-code", { address }) });
 
 /** An address as one types it. @param {string} address */
 export const typedAddress = (address) => address.replace(/^http:\/\/|\/$/g, "");

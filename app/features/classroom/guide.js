@@ -1,12 +1,13 @@
 // @ts-check
 /**
- * What a teacher says and does in each phase of a step, from the step's own words. Texts only, without a page.
+ * What a teacher says and does in each phase of a step, from the step's own words.
  *
  * The order is that of peer instruction: where a class is split, pupils talk in pairs and are asked again; what is right is told
  * after it ran (Crouch and Mazur 2001, American Journal of Physics 69, 970).
  *
  * @typedef {import("../../wire/wire.js").Asking} Asking
  */
+import { say } from "../../words/words.js";
 
 /** The sentences of a text. @param {string} text */
 export const sentencesOf = (text) => text.match(/[^.?!]+(?:[.?!](?!\s|$)[^.?!]*)*[.?!]*\s*/g)?.map((one) => one.trim()) ?? [];
@@ -26,27 +27,28 @@ export function partsOf(question) {
  */
 export function guide({ phase, round, question, because, predict, do: task, collects, runs }) {
   const { given, asked } = partsOf(question);
-  const drag = predict > 0 ? `Drag the pale body to where it will be ${predict} s after the start.` : "";
+  const seconds = String(predict);
   switch (phase) {
     case "lobby":
-      return { say: "Open the address on the wall, and type the four letters.", do: "Put the wall on the projector. Go on when all are here." };
+      return { say: say("guide-lobby"), do: say("guide-lobby.do") };
     case "show":
-      return { say: given || "Look at the body: what holds it, and what pulls it?", do: `Point at the parts. ${question && !runs ? "Do not press Play yet: it runs after the question." : "Press Play to let it go: what the question asks about comes later."}` };
-    case "ask":
-      if (round > 0) return { say: "Convince your neighbour, for a minute. Then answer again.", do: "Listen. Do not say which is right." };
-      return { say: [asked, drag].filter(Boolean).join(" "), do: "Wait until everybody has answered. Do not say which is right." };
+      return { say: given || say("guide-show"), do: say(question && !runs ? "guide-show.before" : "guide-show.do") };
+    case "ask": {
+      if (round > 0) return { say: say("guide-again"), do: say("guide-again.do") };
+      const drag = predict > 0 ? say("guide-drag", { seconds }) : "";
+      return { say: [asked, drag].filter(Boolean).join(" "), do: say("guide-ask") };
+    }
     case "results":
-      if (round > 0) return { say: "Who has changed their mind, and why?", do: "Do not give the right answer yet: the run will show it." };
-      return { say: "Who would like to say why they chose what they chose?", do: "Hear two who answered differently. Do not give the right answer yet." };
+      return round > 0 ? { say: say("guide-changed"), do: say("guide-changed.do") } : { say: say("guide-results"), do: say("guide-results.do") };
     case "run":
-      return { say: runs ? `Watch what it does. This is new: ${runs}` : "Watch what it does.", do: predict > 0 ? `It stops at ${predict} s. Compare it with the predictions.` : "Let it run until everybody has seen what happens." };
+      return { say: runs ? say("guide-run-new", { runs }) : say("guide-run"), do: predict > 0 ? say("guide-run-stops", { seconds }) : say("guide-run.do") };
     case "reveal":
-      return { say: "That is the answer. Tell your neighbour why.", do: `The wall shows ${predict > 0 ? "the predictions beside the body, then " : ""}the right answer. Give it a moment before you speak.` };
+      return { say: say("guide-reveal"), do: say(predict > 0 ? "guide-reveal.predicted" : "guide-reveal.do") };
     case "explain":
-      return { say: "Why? Answer in one sentence.", do: `Star two answers: they go on the wall in the next phase. Then explain it in your own words: ${because}` };
+      return { say: say("class-why"), do: say("guide-explain", { because }) };
     case "try":
-      return { say: task, do: "Walk around. Raised hands show at the right." };
+      return { say: task, do: say("guide-try") };
     default:
-      return { say: collects ? `Hand in the ${collects}.` : "Hand in what you found.", do: collects ? "When most have, look at the class's plot together: what does it say? Press Show the law, if it is offered." : "When most have, put one of them on the wall." };
+      return collects ? { say: say("guide-collect", { collects }), do: say("guide-plot") } : { say: say("class-hand-in"), do: say("guide-collected") };
   }
 }

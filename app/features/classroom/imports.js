@@ -2,6 +2,7 @@
 /** The part of the teacher's page that takes answers which pupils gave in files: as files, or by their QR codes. */
 import { onMessage, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 import { box, button, typedLine } from "./elements.js";
 
 /** Letters of a file that the server takes. */
@@ -30,7 +31,7 @@ export const importResults = () => results.map(({ told }) => told);
 
 /** @param {string} text */
 function offer(text) {
-  if (text.length > MAX_LENGTH) note("That file is too long for answers to a lesson.", true);
+  if (text.length > MAX_LENGTH) note(say("desk-file-too-long"), true);
   else if (text) send({ do: "bring", text });
 }
 
@@ -50,7 +51,7 @@ export function imports(changed) {
     codes.reset();
     typed = "";
   };
-  const codes = typedLine("Or the text of their QR codes, from a scanner or pasted ", { spellcheck: false }, ["Take it"], take, "broughtText");
+  const codes = typedLine(say("desk-codes"), { spellcheck: false }, [say("desk-take")], take, "broughtText");
   const input = /** @type {HTMLInputElement} */ (codes.querySelector("input"));
   input.value = typed;
   input.addEventListener("input", () => (typed = input.value));
@@ -59,9 +60,9 @@ export function imports(changed) {
   return box(
     "div",
     "softrod-brought",
-    make("p", "softrod-quiet", "From pupils who had the lesson as a file: they count as late answers, each once."),
-    button("Save the lesson as a file for them", () => send({ do: "arrange", what: "lessonFile" }), { focus: "lessonFile" }),
-    box("label", "", "Their files ", files),
+    make("p", "softrod-quiet", say("desk-from-files")),
+    button(say("desk-lesson-file"), () => send({ do: "arrange", what: "lessonFile" }), { focus: "lessonFile" }),
+    box("label", "", `${say("desk-their-files")} `, files),
     codes,
     list,
   );

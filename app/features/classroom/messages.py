@@ -509,7 +509,8 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
     Attributes:
         here: whether a page of it is connected.
         answered: whether it has given what is asked for.
-        doing: what its body does, in a word or two.
+        doing: what its body does; empty while it has none.
+        done: of homework, see `Seat`.
         follows: whether it looks at the teacher's body where it could have its own.
         digits: by which another device takes the seat over; empty if it is not to.
     """
@@ -521,7 +522,8 @@ class DeskSeat(Struct, frozen=True, kw_only=True):
     two: bool
     hand: bool
     answered: bool
-    doing: str
+    doing: Literal["", "moving", "untouched", "at rest", "paused", "exploded", "goal reached"]
+    done: tuple[bool, ...]
     follows: bool
     digits: str
 

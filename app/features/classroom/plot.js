@@ -2,6 +2,7 @@
 /** The class's plot: what each seat found over what it set, a point a seat. */
 import { axisMarks } from "../../stage/axes.js";
 import { makeSvg, set } from "../../stage/svg.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
 /** @typedef {import("../../wire/wire.js").Law} Law */
@@ -79,7 +80,8 @@ export function plot(found, axes, { law = null, own = null } = {}) {
   const { what, unit, over, over_unit, turned } = axes;
   const svg = makeSvg("svg", "softrod-class-plot");
   svg.removeAttribute("aria-hidden");
-  const label = `${what} over ${over}: ${found.length} points${law ? `; ${power(law, axes)}` : ""}`;
+  const values = { what, over, count: found.length };
+  const label = law ? say("class-plot.law", { ...values, law: power(law, axes) }) : say("class-plot", values);
   set(svg, { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: "img", "aria-label": label });
   /** @param {number[]} numbers */
   const axisOf = (numbers) => {
@@ -118,7 +120,7 @@ export function plot(found, axes, { law = null, own = null } = {}) {
   if (own) {
     add("circle", { class: "softrod-plot-own", cx: across(own.setting), cy: up(own.found), r: 10 });
     const side = x.part(own.setting) > 0.5 ? "end" : "start";
-    add("text", { class: "softrod-plot-you", x: across(own.setting) + (side === "end" ? -14 : 14), y: up(own.found) - 10, "text-anchor": side }, `you: ${short(Number(own.found.toPrecision(4)))}`);
+    add("text", { class: "softrod-plot-you", x: across(own.setting) + (side === "end" ? -14 : 14), y: up(own.found) - 10, "text-anchor": side }, say("class-plot-you", { value: short(Number(own.found.toPrecision(4))) }));
   }
   add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle" }, over_unit ? `${over}, ${over_unit}` : over);
   add("text", { x: 4, y: 18 }, unit ? `${what}, ${unit}` : what);

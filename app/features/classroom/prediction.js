@@ -8,6 +8,7 @@ import { roundUp } from "../../stage/axes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../stage/plan.js").Plan} Plan */
 /** @typedef {import("../../stage/plan.js").Frame} Frame */
@@ -151,8 +152,7 @@ export class OwnPrediction {
     if (!this.isSingle) return "";
     const [mass] = this.free;
     const dx = (this.places[mass][0] - this.start[mass][0]) / this.scale, dy = (this.places[mass][1] - this.start[mass][1]) / this.scale;
-    const [by, word] = Math.abs(dy) >= Math.abs(dx) ? [dy, dy < 0 ? "lower" : "higher"] : [dx, dx < 0 ? "to the left" : "to the right"];
-    return by ? `${Number(Math.abs(by).toPrecision(3))} ${unit} ${word}` : "";
+    return dx || dy ? movedText(dx, -dy, unit) : "";
   }
 
   /** Moves that mass a little. @param {number} across 1 for right @param {number} up 1 for up */
@@ -197,7 +197,7 @@ export class OwnPrediction {
   /** @param {number} mass @param {number} r px */
   makeGrip(mass, r) {
     const grip = makeSvg("circle", "softrod-own-grip", this.svg);
-    const label = `Mass ${mass} of your prediction: move it with the arrow keys`;
+    const label = say("class-grip", { mass: String(mass) });
     set(grip, { "data-mass": mass, r, tabindex: 0, role: "button", "aria-label": label });
     /** @param {Event} event */
     const stop = (event) => {
@@ -231,6 +231,14 @@ export class OwnPrediction {
     this.marks.redraw();
     this.changed();
   }
+}
+
+/** How far something was moved, along the way that is longer. @param {number} right @param {number} down @param {string} unit of both */
+export function movedText(right, down, unit) {
+  const isUpright = Math.abs(down) >= Math.abs(right), by = isUpright ? down : right;
+  const length = `${Number(Math.abs(by).toPrecision(3))} ${unit}`;
+  if (isUpright) return say(by > 0 ? "class-moved.lower" : "class-moved.higher", { length });
+  return say(by > 0 ? "class-moved.right" : "class-moved.left", { length });
 }
 
 /** Bodies with more free masses than this have a disc at the last one only. */

@@ -2,6 +2,7 @@
 /** The right-hand part of the teacher's page: the class as it is. Who is there, what their bodies do, and what they gave. */
 import { send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 import { box, button, fold, icon, untranslated, voteBars } from "./elements.js";
 import { OWN_BODY, PREDICTED } from "./phases.js";
 import { plot, power } from "./plot.js";
@@ -12,10 +13,17 @@ import { poster, still } from "./poster.js";
 /** @typedef {import("../../wire/wire.js").DeskAnswer} DeskAnswer */
 /** @typedef {import("../../wire/wire.js").OneSeat} OneSeat */
 
-/** The answers that are listed, by kind; the bars have the votes. @type {[DeskAnswer["kind"], title: string][]} */
-const LISTED = [["work", "Handed in"], ["line", "Lines"], ["prediction", "Predictions"]];
-/** States of a body that its tile names; all others are moving. */
-const NAMED_STATES = new Set(["untouched", "at rest", "paused", "exploded", "goal reached"]);
+/** The answers that are listed, by kind; the bars have the votes. @type {[DeskAnswer["kind"], title: "desk-work" | "desk-lines" | "desk-predictions"][]} */
+const LISTED = [["work", "desk-work"], ["line", "desk-lines"], ["prediction", "desk-predictions"]];
+/** What bodies do. @satisfies {Record<Exclude<DeskSeat["doing"], "">, string>} */
+const DOING = /** @type {const} */ ({
+  moving: "desk-moving",
+  untouched: "desk-untouched",
+  "at rest": "desk-at-rest",
+  paused: "desk-paused",
+  exploded: "desk-exploded",
+  "goal reached": "desk-goal-reached",
+});
 
 /** The seat that is looked at alone, or 0. */
 let chosen = 0;
@@ -61,11 +69,12 @@ function counts({ asking: { phase }, seats, home }) {
   const done = here.filter(({ answered }) => answered).length;
   const idle = here.filter((seat) => !seat.answered && seat.doing === "untouched").length;
   const exploded = here.filter(({ doing }) => doing === "exploded").length;
+  const trying = here.length - idle - (phase === "collect" ? done : exploded);
   const items = [
-    ...(phase === "collect" ? [count(done, "have handed in", "softrod-done")] : []),
-    count(here.length - (phase === "collect" ? done : 0) - idle - (phase === "collect" ? 0 : exploded), "are trying"),
-    ...(phase === "try" && exploded ? [count(exploded, "have exploded", "softrod-idle")] : []),
-    ...(idle ? [count(idle, "have changed nothing", "softrod-idle")] : []),
+    ...(phase === "collect" ? [count(done, say("desk-count-handed-in", { count: done }), "softrod-done")] : []),
+    count(trying, say("desk-count-trying", { count: trying })),
+    ...(phase === "try" && exploded ? [count(exploded, say("desk-count-exploded", { count: exploded }), "softrod-idle")] : []),
+    ...(idle ? [count(idle, say("desk-count-idle", { count: idle }), "softrod-idle")] : []),
   ];
   return [box("ul", "softrod-desk-counts", ...items)];
 }
@@ -74,33 +83,37 @@ function counts({ asking: { phase }, seats, home }) {
 function asked({ asking: { phase, question, choices, predict }, bars, right, seats, answers, home }) {
   if (!(question || predict > 0) || !(PREDICTED.has(phase) || home)) return [];
   const predictions = answers.filter(({ kind }) => kind === "prediction").length;
-  const sealed = make("span", "softrod-chip", "only you see this");
+  const sealed = make("span", "softrod-chip", say("desk-sealed"));
   // The wrong choice of most: one of them is asked why.
   const most = Math.max(0, ...bars.filter((_, i) => i !== right));
   const wrong = choices[bars.findIndex((bar, i) => i !== right && bar === most)];
-  const ask = phase === "results" && most > 0 && right >= 0 ? [make("p", "softrod-quiet", `${most} chose “${wrong}”: ask one of them why.`)] : [];
+  const ask = phase === "results" && most > 0 && right >= 0 ? [make("p", "softrod-quiet", say("desk-most", { count: most, choice: wrong }))] : [];
   return [
     box(
       "section",
       "",
-      box("header", "", make("h3", "", phase === "ask" || home ? "What they chose so far" : "What they chose"), ...(phase === "ask" || home ? [sealed] : [])),
+      box("header", "", make("h3", "", say(phase === "ask" || home ? "desk-chose.now" : "desk-chose")), ...(phase === "ask" || home ? [sealed] : [])),
       ...(question ? [voteBars(choices, bars, right)] : []),
       ...ask,
-      ...(predict > 0 ? [make("p", "softrod-quiet", home ? `${predictions} dragged a prediction.` : `${predictions} of ${counted(seats)} have dragged a prediction.`)] : []),
+      ...(predict > 0 ? [make("p", "softrod-quiet", home ? say("desk-predicted", { count: predictions }) : say("desk-predicted.some", { count: predictions, all: counted(seats) }))] : []),
     ),
   ];
 }
 
-/** What a tile says of a seat, beside its name. @param {DeskSeat} seat @param {boolean} hasOwn whether it has a body of its own */
-function state({ here, follows, doing }, hasOwn) {
-  if (!here) return "away";
-  if (hasOwn && follows) return "looks at yours";
-  return (hasOwn && NAMED_STATES.has(doing)) || doing.includes("steps") ? doing : "";
+/** What a body does, in words. @param {DeskSeat["doing"]} doing */
+const doingText = (doing) => (doing ? say(DOING[doing]) : "");
+
+/** What a tile says of a seat, beside its name; nothing of a body that just moves. @param {DeskSeat} seat @param {boolean} hasOwn whether it has a body of its own */
+function state({ here, follows, doing, done }, hasOwn) {
+  if (!here) return say("desk-away");
+  if (hasOwn && follows) return say("desk-follows");
+  if (done.length) return say("desk-done", { done: done.filter(Boolean).length, steps: done.length });
+  return hasOwn && doing !== "moving" ? doingText(doing) : "";
 }
 
-/** The name of a seat as it is shown. @param {keyof HTMLElementTagNameMap} kind @param {DeskSeat} seat @param {string} [more] */
-function nameOf(kind, { name, two, hand }, more = "") {
-  const label = untranslated(make(kind, "", `${name}${two ? " (two)" : ""}${more}`));
+/** The name of a seat as it is shown. @param {keyof HTMLElementTagNameMap} kind @param {DeskSeat} seat */
+function nameOf(kind, { name, two, hand }) {
+  const label = untranslated(make(kind, "", two ? say("desk-name-two", { name }) : name));
   if (hand) label.append(icon("hand"));
   return label;
 }
@@ -125,8 +138,8 @@ function seats(desk) {
   const tiles = seats.map((seat) => {
     const { number, name, color, here, two, hand, answered } = seat;
     const { choice, dots } = gaveOf(desk, number);
-    const said = [state(seat, hasOwn && !gathered), choice, number === seat_on_wall ? "on the wall" : ""].filter(Boolean).join(", ");
-    const label = [name, two ? "two" : "", said, dots.length ? "has predicted" : "", answered ? "has answered" : "", hand ? "hand is up" : ""].filter(Boolean).join(", ");
+    const said = [state(seat, hasOwn && !gathered), choice, number === seat_on_wall ? say("desk-on-wall") : ""].filter(Boolean).join(", ");
+    const label = [name, two ? say("desk-two") : "", said, dots.length ? say("desk-has-predicted") : "", answered ? say("desk-has-answered") : "", hand ? say("desk-hand") : ""].filter(Boolean).join(", ");
     const tile = button("", () => choose(number), { focus: `seat${number}`, name: "softrod-tile", label });
     if (hasPicture) tile.append(poster(hasOwn ? number : 0, dots));
     tile.append(nameOf("span", seat), ...(said ? [make("small", "", said)] : []));
@@ -139,14 +152,14 @@ function seats(desk) {
   });
   const here = counted(seats), away = seats.length - here;
   const hands = up.length
-    ? [box("span", "softrod-desk-hands", icon("hand"), up.join(", ")), button("Lower hands", () => send({ do: "arrange", what: "lowerHands" }))]
+    ? [box("span", "softrod-desk-hands", icon("hand"), up.join(", ")), button(say("desk-lower-hands"), () => send({ do: "arrange", what: "lowerHands" }))]
     : [];
   return box(
     "section",
     "",
-    box("header", "", make("h3", "", "Who is here"), make("span", "softrod-quiet", `${here}${away ? `; ${away} away` : ""}`)),
+    box("header", "", make("h3", "", say("desk-who")), make("span", "softrod-quiet", away ? say("desk-who-away", { here, away }) : String(here))),
     ...(hands.length ? [box("div", "softrod-desk-hands-up", ...hands)] : []),
-    ...(tiles.length ? [] : [make("p", "softrod-quiet", "Nobody yet.")]),
+    ...(tiles.length ? [] : [make("p", "softrod-quiet", say("desk-nobody"))]),
     box("ul", hasPicture ? "softrod-seats softrod-tiles" : "softrod-seats", ...tiles),
   );
 }
@@ -160,22 +173,22 @@ function alone(desk, seat) {
   const { dots } = gaveOf(desk, number);
   /** @param {OneSeat["what"]} what */
   const act = (what) => send({ do: "oneSeat", seat: number, what });
-  const own = hasOwn ? [button(isShown ? "Take off the wall" : "Put on the wall", () => act(isShown ? "hide" : "show"), { focus: "onWall" }), button("Reset this one", () => act("reset"))] : [];
-  const said = state(seat, hasOwn && !gathered) || (hasOwn ? doing : "");
+  const own = hasOwn ? [button(say(isShown ? "desk-off-wall" : "desk-to-wall"), () => act(isShown ? "hide" : "show"), { focus: "onWall" }), button(say("desk-reset-one"), () => act("reset"))] : [];
+  const said = state(seat, hasOwn && !gathered) || (hasOwn ? doingText(doing) : "");
   const part = box(
     "section",
     "softrod-desk-seat",
-    box("header", "", nameOf("h3", seat), make("span", "softrod-quiet", said), button("Back to all", () => choose(0), { focus: "allSeats" })),
+    box("header", "", nameOf("h3", seat), make("span", "softrod-quiet", said), button(say("desk-to-all"), () => choose(0), { focus: "allSeats" })),
     ...(hasOwn || dots.length ? [poster(hasOwn ? number : 0, dots)] : []),
     box(
       "div",
       "softrod-phases",
       ...own,
-      button(digits ? `On the other device: ${digits}` : "Move to another device", () => act("move")),
-      button("Remove", () => confirm(`Close the seat of ${name}? What it gave goes, too.`) && act("sendAway")),
+      button(digits ? say("desk-move-digits", { digits }) : say("desk-move"), () => act("move")),
+      button(say("desk-remove"), () => confirm(say("desk-remove.confirm", { name })) && act("sendAway")),
     ),
-    ...(digits ? [make("p", "softrod-quiet", `There, come in, choose “This seat” and type ${digits}.`)] : []),
-    ...answers.filter((answer) => answer.seat === number).map((answer) => make("p", "", `Gave: ${wordsOf(answer, asking.choices)}`)),
+    ...(digits ? [make("p", "softrod-quiet", say("desk-move-how", { digits }))] : []),
+    ...answers.filter((answer) => answer.seat === number).map((answer) => make("p", "", say("desk-gave", { what: wordsOf(answer, asking.choices) }))),
   );
   part.style.setProperty("--softrod-seat", color);
   return part;
@@ -183,8 +196,9 @@ function alone(desk, seat) {
 
 /** An answer in words. @param {DeskAnswer} answer @param {string[]} choices of the question */
 function wordsOf({ kind, text, choice, late, doubt }, choices) {
-  const what = { vote: choices[choice] ?? "", prediction: text || "a prediction", line: text, work: text || "a run" }[kind];
-  return `${what}${late ? " (late)" : ""}${doubt && `: ${doubt}`}`;
+  const what = { vote: choices[choice] ?? "", prediction: text || say("desk-a-prediction"), line: text, work: text || say("desk-a-run") }[kind];
+  const said = late ? say("desk-late", { what }) : what;
+  return doubt ? say("desk-doubt", { what: said, doubt }) : said;
 }
 
 /** The answers that are listed. @param {Desk} desk */
@@ -193,7 +207,7 @@ function given({ answers, seats, on_wall, asking }) {
     const items = answers.filter((answer) => answer.kind === kind).map((answer) => item(answer, seats, on_wall));
     const list = box("ul", "softrod-lines", ...items);
     // The lines are open while they are written; predictions are over the body already.
-    return !items.length ? [] : [kind === "line" && asking.phase === "explain" ? list : fold(`${title}: ${items.length}`, [list], title)];
+    return !items.length ? [] : [kind === "line" && asking.phase === "explain" ? list : fold(say(title, { count: items.length }), [list], kind)];
   });
 }
 
@@ -202,7 +216,7 @@ function collected({ answers, asking, axes, law, shows_law, home }) {
   const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
   if (!found.length || (asking.phase !== "collect" && !home)) return [];
   const words = law && shows_law ? [make("p", "", power(law, axes))] : [];
-  return [box("section", "", make("h3", "", "What they found so far"), plot(found, axes, { law: shows_law ? law : null }), ...words)];
+  return [box("section", "", make("h3", "", say("desk-found")), plot(found, axes, { law: shows_law ? law : null }), ...words)];
 }
 
 /** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */
@@ -210,17 +224,16 @@ function item(answer, seats, on_wall) {
   const { id, seat, kind, starred, places } = answer;
   const { name = "", color = "" } = seats.find(({ number }) => number === seat) ?? {};
   const isShown = on_wall === id;
-  const what = kind === "prediction" ? `the prediction of ${name} alone` : `the body of ${name}`;
   const item = box(
     "li",
     "",
     ...(kind === "work" && places.length ? [still(places)] : []),
-    make("span", "", `${name}: ${wordsOf(answer, [])}`),
+    make("span", "", say("desk-by", { name, what: wordsOf(answer, []) })),
     kind === "line"
       ? button("", () => send({ do: "star", answer: id, on: !starred }), {
-          focus: `star${id}`, name: "softrod-cross", label: `Show this line on the wall, by ${name}`, pressed: starred, icon: "star",
+          focus: `star${id}`, name: "softrod-cross", label: say("desk-star", { name }), pressed: starred, icon: "star",
         })
-      : button("Wall", () => send({ do: "toWall", answer: isShown ? "" : id }), { focus: `wall${id}`, label: `Show ${what} on the wall`, pressed: isShown }),
+      : button(say("desk-wall"), () => send({ do: "toWall", answer: isShown ? "" : id }), { focus: `wall${id}`, label: say(kind === "prediction" ? "desk-show-prediction" : "desk-show-body", { name }), pressed: isShown }),
   );
   item.style.setProperty("--softrod-seat", color);
   return item;

@@ -33,6 +33,7 @@ from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.line import Line
+from ...words import say
 from ..files.sharing import qr_code
 from .messages import Asking, ClassEnded, Found, Law, LessonName, Predictions, Seat
 from .shared_view import broadcast, same_view
@@ -259,7 +260,7 @@ def home_text(room: Room) -> str:
     if not room.is_home:
         return ""
     at = datetime.fromtimestamp(room.until or 0.0)
-    return f"{at.day} {at:%B}, {at:%H:%M}"
+    return say("class-told-at", day=at.day, month=at.month, time=f"{at:%H:%M}")
 
 
 def predictions(classroom: Class) -> Predictions:
@@ -332,8 +333,10 @@ def moved_text(scene: sim.Scene, masses: Sequence[int], points: Sequence[tuple[f
     (x, y), (to_x, to_y) = scene.masses[masses[0]].position, points[0]
     across, down = to_x - x, (to_y - y) if scene.view.y_down else y - to_y
     if abs(down) >= abs(across):
-        return f"{abs(down):.3g} {scene.view.unit} {'lower' if down > 0.0 else 'higher'}"
-    return f"{abs(across):.3g} {scene.view.unit} to the {'right' if across > 0.0 else 'left'}"
+        length = f"{abs(down):.3g} {scene.view.unit}"
+        return say("class-moved.lower" if down > 0.0 else "class-moved.higher", length=length)
+    length = f"{abs(across):.3g} {scene.view.unit}"
+    return say("class-moved.right" if across > 0.0 else "class-moved.left", length=length)
 
 
 def in_world(mapping: Mapping, points: ArrayLike) -> tuple[tuple[float, float], ...]:

@@ -11,6 +11,7 @@ from sim.errors import SettingError
 from ...gate.address import page_query
 from ...gate.gate import Visit
 from ...wire.carrier import Mail
+from ...words import say
 from .desk import DeskRole
 from .role import Entrance, Role
 from .seat import SeatRole
@@ -91,7 +92,7 @@ def role_of_query(visit: Visit, mail: Mail, classes: Classes, base: str) -> Role
     code = fields.get("room", "").upper()
     classroom = classes.find(code)
     if classroom is None:
-        return Entrance(mail, f"There is no class {code} here now." if code else "")
+        return Entrance(mail, say("class-refuse-code", code=code) if code else "")
     if fields.get("as", "") == "wall":
         return WallRole(classroom, mail, base)
     return SeatRole(classroom, mail, visit.visitor)

@@ -37,6 +37,7 @@ from ...ui.controls import Controls
 from ...wire import from_page, line
 from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
+from ...words import language, say, speaking
 from . import messages
 from .messages import Found, Given, Predictions, Seat, Taken
 from .role import (
@@ -73,7 +74,7 @@ class SeatRole(ClassRole):
 
     def __init__(self, classroom: Class, mail: Mail, visitor: str = "") -> None:
         super().__init__(classroom, mail)
-        self._visitor = visitor
+        self._visitor, self._language = visitor, language()
         self._secret = ""
         self._number = 0
         self._problem = ""
@@ -151,7 +152,7 @@ class SeatRole(ClassRole):
                 case messages.TakeOver(digits):
                     self._tries += 1
                     if self._tries > MAX_TRIES:
-                        raise Refused("These were too many tries; reload the page to go on.")
+                        raise Refused(say("class-refuse-tries"))
                     self._sit(self.room.move(self._secret, digits))
                 case messages.Give():
                     self._give(said)
@@ -206,7 +207,9 @@ class SeatRole(ClassRole):
             self.show(self.classroom.run_scene(stop) if moves else self.classroom.scene(stop))
             self._accompany(stop if moves else None)
         except SettingError as error:
-            self._mail.send(Taken(ids=(), refused=f"This step cannot begin: {error}."))
+            # The teacher's page, which may have another language, calls this, too.
+            with speaking(self._language):
+                self._mail.send(Taken(ids=(), refused=say("class-refuse-begin", reason=str(error))))
 
     def show(self, scene: sim.Scene) -> None:
         if self._session is not None:
@@ -327,7 +330,7 @@ class SeatRole(ClassRole):
             Refused: it has none, or another page has it.
         """
         if (seat := self.seat) is None:
-            raise Refused(self._problem or "Another page has this seat now.")
+            raise Refused(self._problem or say("class-refuse-other-page"))
         return seat
 
     def _give(self, said: messages.Give) -> None:
@@ -359,13 +362,13 @@ class SeatRole(ClassRole):
             Refused: there is no such scene, or they are not one for each of its masses.
         """
         if stop >= len(self.room.stops):
-            raise Refused("The class has no such step.")
+            raise Refused(say("class-refuse-no-step"))
         try:
             scene = self.classroom.scene(stop)
         except SettingError:
-            raise Refused("This step cannot begin.") from None
+            raise Refused(say("class-refuse-cannot-begin")) from None
         if len(points) != len(scene.masses):
-            raise Refused("That is no place for this body.")
+            raise Refused(say("class-refuse-no-such-place"))
         mapping = Mapping.of(scene)
         return Prediction(tuple(mapping.to_scene(x, y) for x, y in points))
 
@@ -377,9 +380,9 @@ class SeatRole(ClassRole):
         """
         session = self._session
         if session is None or self.shared_view is not None or said.stop != self._place.stop:
-            raise Refused("There is no run to hand in now.")
+            raise Refused(say("class-refuse-no-run"))
         if session.replay is not None:
-            raise Refused("A log is being played; there is nothing to hand in.")
+            raise Refused(say("class-refuse-replay"))
         now = session.now()
         if said.id not in self.room.answers and now < self._hand_in_due:
             return None
@@ -408,7 +411,7 @@ class SeatRole(ClassRole):
             taken = room.seats.get(self._number)
             if self._secret and taken is not None and not taken.removed:
                 return Seat(elsewhere="page" if taken.token == digest(self._secret) else "device")
-            closed = self._problem or "The teacher has closed this seat."
+            closed = self._problem or say("class-refuse-removed")
             return Seat(problem=closed if self._secret else "")
         place = self._place
         mine = [answer for answer in room.answers.values() if answer.seat == seat.number]

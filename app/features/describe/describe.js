@@ -1,7 +1,7 @@
 // @ts-check
 /** The description of the body: a card over the canvas, which a screen reader reads. Esc closes it. */
 import { onMessage } from "../../wire/channel.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { say } from "../../words/words.js";
 
@@ -16,7 +16,7 @@ function begin() {
   // The card is hidden while it is closed, and what is hidden is not read.
   const spoken = make("div", "softrod-tell");
   spoken.setAttribute("role", "status");
-  document.body.append(card, spoken);
+  overCanvas().append(card, spoken);
   onMessage("described", (told) => {
     text.textContent = told.text;
     // The same words again would not be read.

@@ -3,7 +3,7 @@
 import { onMessage, send } from "../../wire/channel.js";
 import { copySelection, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { stepBack } from "./gestures.js";
 import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
 import { withKey } from "../../ui/hands/key_table.js";
@@ -115,7 +115,7 @@ class EditStrip {
     );
     this.live = make("div", "softrod-tell");
     this.live.setAttribute("role", "status");
-    document.body.append(this.strip, this.bar, this.live);
+    overCanvas().append(this.strip, this.bar, this.live);
   }
 
   show() {

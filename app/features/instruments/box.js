@@ -1,7 +1,7 @@
 // @ts-check
 /** The box of instruments: a button, and a list from which instruments are dragged. */
 import { NAMES } from "./faces.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
 import { floorOf } from "../../stage/dock.js";
 
@@ -48,7 +48,7 @@ export class Box {
     for (const kind of /** @type {Kind[]} */ (Object.keys(ICONS))) this.buttons.set(kind, this.makeTool(kind, take, press));
     this.content.append(...this.buttons.values());
     this.open(false);
-    document.body.append(this.element);
+    overCanvas().append(this.element);
   }
 
   /** @param {Kind} kind @param {(kind: Kind, event: PointerEvent, button: Element) => void} take @param {(kind: Kind) => void} press */

@@ -14,7 +14,7 @@ import { Gate } from "./gate.js";
 import * as shapes from "./shapes.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { make } from "../../ui/dialog.js";
+import { make, overCanvas } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
@@ -57,7 +57,7 @@ class Instruments {
     this.live = make("div", "softrod-tell");
     this.live.setAttribute("role", "status");
     this.box = new Box((kind, event, button) => this.take(kind, event, button), (kind) => this.toggle(kind));
-    document.body.append(this.svg, this.live);
+    overCanvas().append(this.svg, this.live);
     // The wheel zooms, whatever is under it.
     this.svg.addEventListener("wheel", (event) => {
       event.preventDefault();

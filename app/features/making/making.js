@@ -6,7 +6,7 @@
 import { onMessage, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { kept, store } from "../../ui/kept/storage.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { beginNextAt } from "../lesson/lesson.js";
 import { box } from "./fields.js";
 import { StepForm } from "./step_form.js";
@@ -138,12 +138,12 @@ class MakingForm {
     store(STORED, lesson.open ? "1" : "");
     const isShown = lesson.open && lesson.trying < 0;
     if (isShown && !this.element.parentNode) {
-      document.body.append(this.element);
+      overCanvas().append(this.element);
       this.title.focus();
     } else if (!isShown) this.element.remove();
     this.trying.textContent = `Step ${lesson.trying + 1} as a pupil sees it`;
     if (lesson.trying < 0) this.bar.remove();
-    else if (!this.bar.parentNode) document.body.append(this.bar);
+    else if (!this.bar.parentNode) overCanvas().append(this.bar);
     document.documentElement.toggleAttribute("data-softrod-making", isShown);
     // A form that was just opened begins with the first step.
     if (lesson.open && !wasOpen) this.at = 0;

@@ -4,7 +4,7 @@ import { loudspeaker } from "./sound.js";
 import { few } from "./shapes.js";
 import { melodyOf } from "./tones.js";
 import { onMessage } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { make, overCanvas } from "../../ui/dialog.js";
 
 /** Seconds of a plot. */
 const LASTS = 3;
@@ -16,7 +16,7 @@ const LOUDNESS = 0.3;
 export function listenToMelodies() {
   const live = make("div", "softrod-tell");
   live.setAttribute("role", "status");
-  document.body.append(live);
+  overCanvas().append(live);
   /** @type {OscillatorNode | null} */
   let before = null;
   onMessage("melody", ({ name, unit, values }) => {

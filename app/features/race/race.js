@@ -7,7 +7,7 @@ import { canvasBox } from "../../ui/viser/viser.js";
 import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
-import { make, makeButton } from "../../ui/dialog.js";
+import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { distance, fullRace, isOver, namesOf, verdict } from "./words.js";
 import { addRaceMarks } from "./marks.js";
 import { fit } from "../../stage/camera.js";
@@ -81,7 +81,7 @@ function makeRace() {
   const count = make("div", "softrod-count");
   count.ariaLive = "assertive";
   count.hidden = true;
-  document.body.append(count);
+  overCanvas().append(count);
 
   let [counting, read, before] = [0, 0, 0];
   const stopCount = () => {

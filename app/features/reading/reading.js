@@ -5,7 +5,7 @@ import { freePlace } from "../../stage/label.js";
 import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { takenPaper, takePaper } from "../../stage/taken.js";
-import { make } from "../../ui/dialog.js";
+import { make, overCanvas } from "../../ui/dialog.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { viserCanvas } from "../../ui/viser/viser.js";
 import { editing } from "../edit/editing.js";
@@ -26,7 +26,7 @@ function begin() {
   const title = make("b", "");
   const list = make("dl", "");
   card.append(title, list);
-  document.body.append(card);
+  overCanvas().append(card);
   const svg = makeSvg("svg", "softrod-marks softrod-mass-mark");
   const [line, ring] = [makeSvg("path", "", svg), makeSvg("circle", "", svg)];
   let mass = -1;

@@ -5,7 +5,7 @@ import { onPicture } from "../../stage/canvas.js";
 import { nextStep, timeNow } from "../../ui/clock.js";
 import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { iconHtml, make, makeButton } from "../../ui/dialog.js";
+import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 import { barOf } from "./span.js";
@@ -189,7 +189,7 @@ function begin() {
   bar.append(reset, second, back, play, forward, time.element, clock, speed.element, more);
   const dock = make("div", "softrod-dock");
   dock.append(line.element, bar);
-  document.body.append(dock);
+  overCanvas().append(dock);
 
   const show = () => {
     const now = timeNow();

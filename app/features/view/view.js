@@ -4,7 +4,7 @@ import { fit } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { iconHtml, make, makeButton } from "../../ui/dialog.js";
+import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { keyOf } from "../../ui/hands/key_table.js";
 import { openFinder } from "../../ui/gui/finder.js";
 import { isSheet } from "../../ui/gui/panel.js";
@@ -59,7 +59,7 @@ class ViewMenu {
     this.lid.setAttribute("aria-controls", this.list.id);
     this.items = ENTRIES.map((entry) => ({ entry, item: this.addItem(entry) }));
     this.element.append(this.list, this.lid);
-    document.body.append(this.element);
+    overCanvas().append(this.element);
     this.listen();
   }
 

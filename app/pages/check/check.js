@@ -1,7 +1,7 @@
 // @ts-check
 /*
  * Checks what a pupil's page needs, and says in words what it found. Even a browser that is too old has to be able to say
- * so: this is no module, and uses nothing that came after 2012.
+ * so: this is no module, and uses nothing that came after 2012. Its texts are in attributes of its element, in the page's language.
  */
 (function () {
   var script = /** @type {HTMLScriptElement} */ (document.currentScript || document.querySelector("script[data-try]"));
@@ -19,15 +19,31 @@
   var APART = 60000;
   /** Where the server says whether it would take a connection. */
   var REACH = "reach";
-  var HOTSPOT = "Use another network: the hotspot of the teacher's computer or of a phone needs no internet.";
-
-  var WITHOUT = "Without any connection, a replay plays: one file, which the teacher's page makes under Share.";
 
   /** @typedef {"good" | "fair" | "bad"} Mark */
   var SIGNS = { good: "✓", fair: "!", bad: "✗" };
   /** @type {Mark} */
   var worst = "good";
   var worksAtAll = true;
+
+  /**
+   * A text of the page.
+   *
+   * @param {string} name of the attribute, after "data-"
+   * @param {Record<string, string | number>} [values] what stands in its places
+   */
+  function text(name, values) {
+    var said = script.getAttribute("data-" + name) || name;
+    for (var place in values || {}) said = said.split("{" + place + "}").join(String(/** @type {any} */ (values)[place]));
+    return said;
+  }
+
+  /** Several texts, one after the other. @param {string[]} names */
+  function texts(names) {
+    var said = [];
+    for (var i = 0; i < names.length; i++) said.push(text(names[i]));
+    return said.join(" ");
+  }
 
   /** @param {string} id */
   function byId(id) {
@@ -36,16 +52,16 @@
 
   /**
    * @param {Mark} mark
-   * @param {string} text what was found
+   * @param {string} found what was found
    * @param {string} [advice] what to do about it
    */
-  function say(mark, text, advice) {
+  function note(mark, found, advice) {
     var item = document.createElement("li");
     item.className = mark;
     var sign = document.createElement("b");
     sign.appendChild(document.createTextNode(SIGNS[mark]));
     item.appendChild(sign);
-    item.appendChild(document.createTextNode(text));
+    item.appendChild(document.createTextNode(found));
     if (advice) {
       var more = document.createElement("p");
       more.appendChild(document.createTextNode(advice));
@@ -56,15 +72,15 @@
     if (worst === "good" || mark === "bad") worst = mark;
   }
 
-  /** @param {string} text @param {boolean} [again] whether it can be tried again */
-  function conclude(text, again) {
+  /** @param {string} name of the text @param {boolean} [again] whether it can be tried again */
+  function conclude(name, again) {
     var verdict = byId("verdict");
     verdict.className = worst;
     verdict.innerHTML = "";
-    verdict.appendChild(document.createTextNode(text));
+    verdict.appendChild(document.createTextNode(text(name)));
     if (!again) return;
     var button = document.createElement("button");
-    button.appendChild(document.createTextNode("Try again"));
+    button.appendChild(document.createTextNode(text("again")));
     button.onclick = function () {
       location.reload();
     };
@@ -121,7 +137,7 @@
     try {
       socket = new WebSocket(address);
     } catch (error) {
-      whyNot("This browser makes no live connection (WebSocket).");
+      whyNot(text("no-sockets"));
       return;
     }
     var began = new Date().getTime();
@@ -134,9 +150,9 @@
     /** @type {number[]} */
     var trips = [];
 
-    /** @param {string} text */
-    function send(text) {
-      if (socket.readyState === 1) socket.send(text);
+    /** @param {string} said */
+    function send(said) {
+      if (socket.readyState === 1) socket.send(said);
     }
     function beat() {
       beaten = new Date().getTime();
@@ -157,7 +173,7 @@
     socket.binaryType = "arraybuffer";
     socket.onopen = function () {
       opened = true;
-      say("good", "A live connection (WebSocket) comes about, after " + (new Date().getTime() - began) + " ms.");
+      note("good", text("connected", { ms: new Date().getTime() - began }));
       beat();
     };
     socket.onmessage = function (event) {
@@ -176,8 +192,8 @@
     socket.onclose = function () {
       if (opened && !over) {
         over = true;
-        say("bad", "The connection was cut after " + (new Date().getTime() - began) + " ms.", "Something on the way ends it. " + HOTSPOT + " " + WITHOUT);
-        conclude("Here a class does not work.", true);
+        note("bad", text("cut", { ms: new Date().getTime() - began }), texts(["ends", "hotspot", "without"]));
+        conclude("bad", true);
       } else {
         finish();
       }
@@ -191,24 +207,20 @@
   function whyNot(known) {
     ask(REACH, function (answer) {
       if (known) {
-        say("bad", known, "Use a current Chrome, Edge, Firefox or Safari.");
+        note("bad", known, text("current"));
       } else if (answer.status === 200) {
-        say(
-          "bad",
-          "No live connection (WebSocket) comes about, although pages do: something on the way, such as a school's web filter or proxy, lets none through.",
-          HOTSPOT + " Or have whoever runs the network let WebSockets to " + location.host + " through; pages by https often pass where those by http do not. " + WITHOUT
-        );
+        note("bad", text("blocked"), [text("hotspot"), text("let-through", { host: location.host }), text("without")].join(" "));
       } else if (answer.status) {
-        say("bad", "The teacher's computer refuses the connection: " + answer.responseText);
+        note("bad", text("refused", { reason: answer.responseText }));
       } else {
-        say("bad", "The teacher's computer no longer answers.", "Is softrod still running, and the computer awake? " + HOTSPOT);
+        note("bad", text("silent"), texts(["awake", "hotspot"]));
       }
-      conclude("Here a class does not work.", true);
+      conclude("bad", true);
     });
   }
 
   /**
-   * @param {(text: string) => void} send
+   * @param {(said: string) => void} send
    * @param {WebSocket} socket
    * @param {number[]} trips ms
    * @param {number} rate pictures a second
@@ -219,20 +231,20 @@
     });
     var trip = trips.length ? trips[Math.floor(trips.length / 2)] : -1;
     rate = Math.round(rate);
-    if (trip < 0) say("bad", "The connection is there, but no answer comes through it.", "Something on the way holds messages back. " + HOTSPOT);
-    else if (trip > SLOW) say("fair", "The round trip takes " + trip + " ms: bodies follow a finger late.", "Go nearer to the access point, or use fewer devices at a time.");
-    else say("good", "The round trip takes " + trip + " ms.");
-    if (rate < 1) say("bad", "No moving pictures arrive.", "Something on the way holds messages back. " + HOTSPOT);
-    else if (rate < JERKY) say("fair", "Only " + rate + " pictures a second arrive: motion jerks.", "Go nearer to the access point, or use fewer devices at a time.");
-    else say("good", "Moving pictures arrive, " + rate + " a second.");
+    if (trip < 0) note("bad", text("no-answer"), texts(["holds", "hotspot"]));
+    else if (trip > SLOW) note("fair", text("slow", { ms: trip }), text("nearer"));
+    else note("good", text("trip", { ms: trip }));
+    if (rate < 1) note("bad", text("no-pictures"), texts(["holds", "hotspot"]));
+    else if (rate < JERKY) note("fair", text("jerks", { rate: rate }), text("nearer"));
+    else note("good", text("pictures", { rate: rate }));
     // Whole numbers, since all of this can be forged anyway.
     send(JSON.stringify({ do: "checked", trip: Math.min(trip, 99999), rate: rate, works: worksAtAll, doubts: worst !== "good" }));
     setTimeout(function () {
       socket.close();
     }, 300);
-    if (!worksAtAll) conclude("Here a class does not work.", true);
-    else if (worst === "fair") conclude("A class works from here; read what is marked.", true);
-    else conclude("All right: a class works from here.");
+    if (!worksAtAll) conclude("bad", true);
+    else if (worst === "fair") conclude("fair", true);
+    else conclude("good");
   }
 
   // ----------------------------------------------------------------------- one after the other
@@ -240,18 +252,18 @@
   var page = new Date().getTime();
   ask(script.getAttribute("data-try") || "", function (answer) {
     if (answer.status === 200 && /javascript/.test(answer.getResponseHeader("Content-Type") || "")) {
-      say("good", "Its scripts come, in " + (new Date().getTime() - page) + " ms.");
+      note("good", text("scripts", { ms: new Date().getTime() - page }));
     } else {
-      say("bad", "The scripts of the class's pages do not come.", "Something on the way blocks them. " + HOTSPOT);
+      note("bad", text("no-scripts"), texts(["blocks", "hotspot"]));
     }
-    if (draws()) say("good", "This browser can show a class.");
-    else say("bad", "This browser cannot show a class: it is too old.", "Use a current Chrome, Edge, Firefox or Safari.");
-    if (stores()) say("good", "This browser stores answers until they have arrived.");
-    else say("fair", "This browser stores nothing: an answer that has not arrived is lost by a reload.", "Leave the private window, or allow the page to store data.");
+    if (draws()) note("good", text("shows"));
+    else note("bad", text("too-old"), text("current"));
+    if (stores()) note("good", text("stores"));
+    else note("fair", text("stores-not"), text("allow"));
     ask(REACH, function (now) {
       var apart = Math.abs(new Date().getTime() - new Date(now.getResponseHeader("Date") || NaN).getTime());
-      if (apart > APART) say("fair", "Its clock and the teacher's differ by " + Math.round(apart / 60000) + " minutes.", "A class does not mind, but addresses with https may be refused.");
-      else if (apart >= 0) say("good", "Its clock agrees with the teacher's.");
+      if (apart > APART) note("fair", text("apart", { minutes: Math.round(apart / 60000) }), text("https"));
+      else if (apart >= 0) note("good", text("clock"));
       connect();
     });
   });

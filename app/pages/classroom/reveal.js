@@ -4,7 +4,8 @@
  * come one after the other; class.css has the times.
  */
 import { makeSvg, set } from "../../stage/svg.js";
-import { tipsOf } from "../../features/classroom/prediction.js";
+import { movedText, tipsOf } from "../../features/classroom/prediction.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../features/classroom/prediction.js").Place} Place */
 /** @typedef {import("./picture.js").Seen} Seen */
@@ -74,9 +75,8 @@ export class Reveal {
   #lines({ mass, from, to, far }, plan, step) {
     const isUpright = Math.abs(to.y - from.y) >= Math.abs(to.x - from.x);
     const r = plan.radius[mass] * step + BESIDE;
-    const length = Number((far / step / plan.scale).toPrecision(3));
-    const [by, words] = isUpright ? [to.y - from.y, ["lower", "higher"]] : [to.x - from.x, ["to the right", "to the left"]];
-    const text = `${length} ${this.#unit} ${words[by > 0 ? 0 : 1]}`;
+    const by = isUpright ? to.y - from.y : to.x - from.x, length = Math.sign(by) * (far / step / plan.scale);
+    const text = isUpright ? movedText(0, length, this.#unit) : movedText(length, 0, this.#unit);
     // Left of it, where there is no room at the right.
     const right = Math.max(from.x, to.x) + r, isLeft = isUpright && right + LINE + TEXT > this.picture.canvas.clientWidth;
     const x = isLeft ? Math.min(from.x, to.x) - r - LINE : right, y = Math.min(from.y, to.y) - r;
@@ -127,6 +127,6 @@ export class Reveal {
     set(makeSvg("path", "softrod-reveal-axis", this.svg), { d: axis });
     const title = makeSvg("text", "softrod-reveal-title", this.svg);
     set(title, isUpright ? { x: begin - ROOM, y: first - 2 * ROOM + HALF } : { x: last + 2 * ROOM, y: begin - ROOM + HALF });
-    title.textContent = "where you put it";
+    title.textContent = say("class-where-put");
   }
 }

@@ -3,12 +3,13 @@
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { element as known } from "../../export/static/parts.js";
-import { box, button, fold, typedLine, typedText, untranslated } from "../../features/classroom/elements.js";
+import { box, button, fold, sayWith, typedLine, typedText, untranslated } from "../../features/classroom/elements.js";
 import { partsOf as textsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot } from "../../features/classroom/plot.js";
 import { OwnPrediction, Predictions } from "../../features/classroom/prediction.js";
 import { Card, deferWhilePressed } from "../../features/classroom/rerender.js";
+import { say } from "../../words/words.js";
 import { Alone } from "./alone.js";
 import { Bench } from "./bench.js";
 import { addHands } from "./hands.js";
@@ -23,8 +24,13 @@ import { forgetAnswers, give, isSamePlace, onOutbox, openOutbox, unsent } from "
 /** Letters of a line, and of a name. */
 const MAX_LETTERS = 140;
 const MAX_NAME_LETTERS = 20;
-/** Buttons that move what is predicted: sign, word, and the way across and up. */
-const STEPS = /** @type {const} */ ([["◀", "to the left", -1, 0], ["▲", "up", 0, 1], ["▼", "down", 0, -1], ["▶", "to the right", 1, 0]]);
+/** Buttons that move what is predicted: sign, name, label, and the way across and up. */
+const STEPS = /** @type {const} */ ([
+  ["◀", "left", "seat-step-left", -1, 0],
+  ["▲", "up", "seat-step-up", 0, 1],
+  ["▼", "down", "seat-step-down", 0, -1],
+  ["▶", "right", "seat-step-right", 1, 0],
+]);
 /** Phases in which one sees again what one chose, and what is right once that may be known. */
 const TOLD = new Set(["results", "run", "reveal"]);
 /** Simulated seconds per second of a body that moves slowly. */
@@ -59,7 +65,7 @@ const hasOwn = () => seat !== null && seat.asking !== null && OWN_BODY.has(seat.
  */
 export function addSeat(picture) {
   const element = make("section", "softrod-class softrod-seat");
-  element.setAttribute("aria-label", "Class");
+  element.setAttribute("aria-label", say("seat-region"));
   const parts = make("div", "softrod-card"), work = make("div", "softrod-bench"), below = make("div", "softrod-card");
   element.append(parts, work, below);
   spoken = make("div", "softrod-tell");
@@ -97,9 +103,9 @@ export function addSeat(picture) {
   onMessage("classEnded", () => {
     forgetAnswers();
     prediction.show(false);
-    spoken.textContent = "The class is over.";
+    spoken.textContent = say("class-over");
     seat = null;
-    element.replaceChildren(make("h1", "", "The class is over."), make("p", "", "Nothing that you gave is kept here."));
+    element.replaceChildren(make("h1", "", say("class-over")), make("p", "", say("seat-nothing-kept")));
     hangUp();
   });
   onOutbox((refused) => {
@@ -114,8 +120,8 @@ export function addSeat(picture) {
       }
       alone.begin(hasOwn());
       show();
-      if (alone.isOn) return "Not connected: your body goes on here, which does not count. Reconnecting…";
-      return hasOwn() ? "Not connected: your body waits. Reconnecting…" : "";
+      if (alone.isOn) return say("seat-away-alone");
+      return hasOwn() ? say("line-body-waits") : "";
     },
   };
 }
@@ -178,7 +184,7 @@ function headOf({ name, color, hand, elsewhere, asking }) {
   if (!asking || elsewhere) return [];
   const named = untranslated(make("b", "softrod-seat-name", name));
   named.style.setProperty("--softrod-seat", color);
-  const up = button(hand ? "Hand is up" : "Hand up", () => send({ do: "raiseHand", up: !hand }), { focus: "hand", pressed: hand, icon: "hand" });
+  const up = button(say(hand ? "seat-hand-is-up" : "seat-hand-up"), () => send({ do: "raiseHand", up: !hand }), { focus: "hand", pressed: hand, icon: "hand" });
   return [named, up];
 }
 
@@ -186,18 +192,17 @@ function headOf({ name, color, hand, elsewhere, asking }) {
 function partsOf(seat) {
   const { elsewhere, asking } = seat;
   if (elsewhere) {
-    const whose = elsewhere === "page" ? "Another page of this browser" : "Another device";
     // The server has room for a limited number of pages; this one is given up.
     hangUp();
-    const back = button("Come back here", () => location.reload());
-    return [make("p", "softrod-task", `${whose} has your seat now.`), ...(elsewhere === "page" ? [back] : [])];
+    const back = button(say("seat-come-back"), () => location.reload());
+    return [make("p", "softrod-task", say(elsewhere === "page" ? "seat-on-page" : "seat-on-device")), ...(elsewhere === "page" ? [back] : [])];
   }
   if (!asking) return entrance(seat);
-  const who = seat.home && seat.is_given ? [make("p", "softrod-task", "Who are you? Type your name, so that your teacher knows whose answers these are."), nameLine()] : [];
+  const who = seat.home && seat.is_given ? [make("p", "softrod-task", say("seat-who")), nameLine()] : [];
   return [
     ...who,
     make("p", "softrod-task", sentence(seat, asking)),
-    ...(seat.on_wall ? [make("p", "softrod-on-wall", "Yours is on the wall now.")] : []),
+    ...(seat.on_wall ? [make("p", "softrod-on-wall", say("seat-on-wall"))] : []),
     ...body(seat, asking),
     ...(refusal ? [make("p", "softrod-warning", refusal)] : []),
   ];
@@ -208,20 +213,20 @@ function belowOf(seat) {
   const { asking } = seat;
   if (!asking || seat.elsewhere) return [];
   const { phase, right, because } = asking;
-  const follow = button(seat.follows ? "Back to my own body" : "Look at the teacher's", () => send({ do: "follow", on: !seat.follows }), { focus: "follow" });
+  const follow = button(say(seat.follows ? "seat-own-body" : "seat-follow"), () => send({ do: "follow", on: !seat.follows }), { focus: "follow" });
   const mayFollow = OWN_BODY.has(phase) && !seat.gathered;
-  if (seat.home) return [...waiting(), ...homework(seat, asking), fold("This seat", lobbyOf(seat), "about")];
+  if (seat.home) return [...waiting(), ...homework(seat, asking), fold(say("seat-about"), lobbyOf(seat), "about")];
   return [
     ...waiting(),
     ...(mayFollow ? [box("div", "softrod-phases", follow)] : []),
     ...(mayFollow && !seat.follows && phase === "collect" ? classPlot(seat) : []),
-    ...(hasOwn() && (right >= 0 || because) ? [fold("The question, and why", [make("p", "", asking.question), verdict(asking)], "why")] : []),
-    ...(phase !== "lobby" ? [fold("This seat", lobbyOf(seat), "about")] : []),
+    ...(hasOwn() && (right >= 0 || because) ? [fold(say("seat-why"), [make("p", "", asking.question), verdict(asking)], "why")] : []),
+    ...(phase !== "lobby" ? [fold(say("seat-about"), lobbyOf(seat), "about")] : []),
   ];
 }
 
 /** What is said while answers wait to be sent. */
-const waiting = () => (unsent().length ? [make("p", "softrod-waiting", "Not at the teacher's yet: kept here, and sent as soon as that is possible.")] : []);
+const waiting = () => (unsent().length ? [make("p", "softrod-waiting", say("seat-waiting"))] : []);
 
 /** What stands below sliders and plots in homework: a line, the run to hand in, and the way to other steps. @param {Seat} seat @param {Asking} asking */
 function homework(seat, asking) {
@@ -230,16 +235,16 @@ function homework(seat, asking) {
   /** @param {number} to */
   const walk = (to) => send({ do: "walkTo", stop: to });
   const steps = done.map((isDone, i) =>
-    button(`${i + 1}${isDone ? " ✓" : ""}`, () => walk(i), { focus: `walk ${i}`, label: `Step ${i + 1}${isDone ? ", done" : ""}`, pressed: i === stop }),
+    button(`${i + 1}${isDone ? " ✓" : ""}`, () => walk(i), { focus: `walk ${i}`, label: say(isDone ? "seat-step-done" : "seat-step", { number: i + 1 }), pressed: i === stop }),
   );
   const open = done.flatMap((isDone, i) => (isDone ? [] : [i + 1]));
-  const left = open.length ? `Still to do: step${open.length > 1 ? "s" : ""} ${open.join(", ")}.` : "All steps are done. You can close this page.";
-  const next = stop + 1 < done.length ? [button(`Next: step ${stop + 2} of ${done.length}`, () => walk(stop + 1), { focus: "walk on", name: done[stop] ? "softrod-strong" : "softrod-small" })] : [];
+  const left = open.length ? say("seat-to-do", { count: open.length, steps: open.join(", ") }) : say("seat-all-done");
+  const next = stop + 1 < done.length ? [button(say("seat-next-step", { number: stop + 2, steps: done.length }), () => walk(stop + 1), { focus: "walk on", name: done[stop] ? "softrod-strong" : "softrod-small" })] : [];
   return [
     ...(hasOwn() ? twins(seat) : []),
-    ...(hasOwn() && question ? [make("p", "softrod-task", "Why? Answer in one sentence."), explanation(asking)] : []),
+    ...(hasOwn() && question ? [make("p", "softrod-task", say("class-why")), explanation(asking)] : []),
     ...(hasOwn() ? classPlot(seat) : []),
-    ...(hasOwn() && question && right < 0 ? [box("p", "softrod-quiet", ...verdict(asking).childNodes, ` You will see the right answer on ${seat.home}.`)] : []),
+    ...(hasOwn() && question && right < 0 ? [box("p", "softrod-quiet", ...verdict(asking).childNodes, ` ${say("seat-told-on", { date: seat.home })}`)] : []),
     ...next,
     box("div", "softrod-phases", ...steps),
     make("p", "softrod-quiet", left),
@@ -252,27 +257,26 @@ const collects = ({ collects, goal, do: task }) => Boolean(collects || goal || !
 /** What to do, in one sentence. @param {Seat} seat @param {Asking} asking */
 function sentence({ paused, away, follows, gathered, home, told }, asking) {
   const { phase, predict, question, round } = asking;
-  const hasOwn = OWN_BODY.has(phase);
+  const hasOwn = OWN_BODY.has(phase), seconds = String(predict);
   if (home && phase === "ask") {
-    const drag = predict > 0 ? `drag the pale body to where it will be ${predict} s after the start` : "";
-    const what = [drag, question ? "choose an answer" : ""].filter(Boolean).join(" and ");
-    return `${what[0].toUpperCase()}${what.slice(1)}. Then it runs. ${told ? "What you give now counts as late." : ""}`.trim();
+    const what = !(predict > 0) ? say("seat-home-choose") : say(question ? "seat-home-both" : "seat-home-drag", { seconds });
+    return told ? `${what} ${say("seat-late-now")}` : what;
   }
-  if (home) return "Now it is your turn: this body is yours.";
-  if (away && phase !== "lobby" && !hasOwn) return "Your teacher's page is away for a moment: wait.";
-  if (hasOwn && gathered) return "Look to the front: this is your teacher's body. Yours waits.";
-  if (hasOwn && follows) return "This is your teacher's body. Yours waits.";
-  if (hasOwn && paused) return "Paused: look to the front.";
-  if (phase === "lobby") return "You are in. It begins soon.";
-  if (phase === "ask" && mine(asking, "Vote") && (mine(asking, "Prediction") || !(predict > 0) || round > 0)) return "You can still change it. Nobody else can see it yet.";
+  if (home) return say("seat-home-own");
+  if (away && phase !== "lobby" && !hasOwn) return say("seat-teacher-away");
+  if (hasOwn && gathered) return say("seat-gathered");
+  if (hasOwn && follows) return say("seat-follows");
+  if (hasOwn && paused) return say("seat-paused");
+  if (phase === "lobby") return say("seat-is-in");
+  if (phase === "ask" && mine(asking, "Vote") && (mine(asking, "Prediction") || !(predict > 0) || round > 0)) return say("seat-can-change");
   if (phase === "ask" && predict > 0 && round === 0) {
-    return `Drag the pale body to where it will be ${predict} s after the start${question ? ", and choose an answer" : ""}. Nobody else can see it yet.`;
+    return say(question ? "seat-ask-both" : "seat-ask-drag", { seconds });
   }
-  if (phase === "ask") return `${round > 0 ? "Choose once more." : "Choose an answer."} Nobody else can see it yet.`;
-  if (phase === "explain") return "Why? Answer in one sentence.";
-  if (phase === "try") return "Try it: this body is yours.";
-  if (phase === "collect") return "Hand in what you found.";
-  return "Look to the front.";
+  if (phase === "ask") return say(round > 0 ? "seat-ask-again" : "seat-ask-choose");
+  if (phase === "explain") return say("class-why");
+  if (phase === "try") return say("seat-try");
+  if (phase === "collect") return say("class-hand-in");
+  return say("seat-look");
 }
 
 /** @param {Seat} seat @param {Asking} asking @returns {HTMLElement[]} */
@@ -286,9 +290,9 @@ function body(seat, asking) {
   const gives = seat.home ? collects(asking) : phase === "collect";
   return [
     ...(seat.home && asking.question && asking.right >= 0 ? [verdict(asking)] : []),
-    ...(asking.goal ? [make("p", "softrod-goal", `${seat.reached ? "Reached" : "Goal"}: ${asking.goal}`)] : []),
+    ...(asking.goal ? [make("p", "softrod-goal", say(seat.reached ? "class-goal-met" : "class-goal", { goal: asking.goal }))] : []),
     make("p", "", asking.do),
-    ...(asking.watch && phase !== "collect" ? [box("p", "softrod-watch", make("b", "", "Watch: "), asking.watch)] : []),
+    ...(asking.watch && phase !== "collect" ? [box("p", "softrod-watch", make("b", "", say("seat-watch")), ` ${asking.watch}`)] : []),
     box("div", "softrod-phases", ...timeButtons()),
     ...(gives ? [...(seat.home ? [] : twins(seat)), ...handIn(seat, asking)] : []),
   ];
@@ -300,7 +304,7 @@ function choices(asking) {
   const buttons = asking.choices.map((text, choice) =>
     button(text, () => give({ do: "giveVote", ...place(asking), choice }), { focus: `choice${choice}`, name: "softrod-choice", pressed: given?.choice === choice }),
   );
-  const had = before && before.choice >= 0 ? [make("p", "softrod-quiet", `Before you chose: ${asking.choices[before.choice]}`)] : [];
+  const had = before && before.choice >= 0 ? [make("p", "softrod-quiet", say("seat-chose-before", { choice: asking.choices[before.choice] }))] : [];
   const { given: told, asked } = textsOf(asking.question);
   const fieldset = box("fieldset", "", make("legend", "", `${told} ${asked}`.trim()), ...had, ...buttons);
   // So that a screen reader reads the question first.
@@ -318,10 +322,10 @@ function predictButton(asking) {
   };
   const isIn = mine(asking, "Prediction") && !prediction.moved;
   const said = prediction.said(unit());
-  const made = button(isIn ? `Your prediction is in${said ? `: ${said}` : ""}` : said ? `Hand in ${said}` : "It will be there", predict, { focus: "predict", name: "softrod-strong" });
+  const made = button(said ? say(isIn ? "seat-predicted.place" : "seat-predict.place", { place: said }) : say(isIn ? "seat-predicted" : "seat-predict"), predict, { focus: "predict", name: "softrod-strong" });
   made.disabled = !prediction.moved;
-  const steps = STEPS.map(([sign, word, across, up]) =>
-    button(sign, () => prediction.stepBy(across, up), { focus: `step ${word}`, label: `A little ${word}` }),
+  const steps = STEPS.map(([sign, name, label, across, up]) =>
+    button(sign, () => prediction.stepBy(across, up), { focus: `step ${name}`, label: say(label) }),
   );
   return [...(prediction.isSingle ? [box("div", "softrod-steps", ...steps)] : []), made];
 }
@@ -335,9 +339,9 @@ function explanation(asking) {
     typed = "";
     give({ do: "giveLine", ...place(asking), text });
   };
-  const form = typedText("Because ", { maxLength: MAX_LETTERS, value: typed || given?.text || "" }, [given ? "Change it" : "Send", "softrod-strong"], take, "line");
+  const form = typedText(say("seat-because"), { maxLength: MAX_LETTERS, value: typed || given?.text || "" }, [say(given ? "seat-change" : "seat-send"), "softrod-strong"], take, "line");
   form.addEventListener("input", ({ target }) => (typed = /** @type {HTMLTextAreaElement} */ (target).value));
-  if (given?.sent && !typed) form.append(make("p", "softrod-handed", "Sent ✓"));
+  if (given?.sent && !typed) form.append(make("p", "softrod-handed", say("seat-sent")));
   return form;
 }
 
@@ -347,9 +351,11 @@ function verdict(asking) {
   const last = asking.phase === "results" ? asking.round : 1;
   const given = mine({ ...asking, round: last }, "Vote") ?? mine({ ...asking, round: 0 }, "Vote");
   const text = make("p", "softrod-verdict");
-  if (given && given.choice >= 0) text.append("You chose: ", make("b", "", asking.choices[given.choice]), `${lateText(given)}. `);
+  /** @param {number} choice */
+  const bold = (choice) => make("b", "", asking.choices[choice]);
+  if (given && given.choice >= 0) text.append(...sayWith("seat-chose", { choice: bold(given.choice), late: lateness(given) }), " ");
   if (asking.right >= 0) {
-    text.append("The right answer: ", make("b", "", asking.choices[asking.right]), `. ${asking.because}`);
+    text.append(...sayWith("seat-right", { choice: bold(asking.right) }), ` ${asking.because}`);
     if (given) text.classList.add(given.choice === asking.right ? "softrod-right" : "softrod-wrong");
   }
   return text;
@@ -365,34 +371,38 @@ function timeButtons() {
     show();
   };
   return [
-    button(isPlaying() ? "Pause" : "Play", () => perform("play"), { focus: "play" }),
-    button("Reset", () => perform("reset"), { focus: "reset" }),
-    ...(alone.isOn ? [] : [button("¼×", () => send({ do: "speed", speed: isSlow() ? 1 : SLOW }), { focus: "slow", pressed: isSlow(), label: "At a quarter of the speed" })]),
+    button(say(isPlaying() ? "seat-pause" : "seat-play"), () => perform("play"), { focus: "play" }),
+    button(say("seat-reset"), () => perform("reset"), { focus: "reset" }),
+    ...(alone.isOn ? [] : [button("¼×", () => send({ do: "speed", speed: isSlow() ? 1 : SLOW }), { focus: "slow", pressed: isSlow(), label: say("seat-slow") })]),
   ];
 }
 
 /** The number that would be handed in, the button that does it, and what was handed in. @param {Seat} seat @param {Asking} asking */
 function handIn({ reading }, asking) {
   const given = mine(asking, "Work");
-  const what = asking.collects ? `${asking.collects}${reading ? `: ${reading}` : ""}` : "this run";
-  const text = asking.collects ? `Hand in ${reading || "it"}` : "Hand in this run";
   const isSame = Boolean(given?.sent && given.text && reading.startsWith(given.text));
-  const made = button(given && !isSame ? `${text} instead` : text, () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
+  const made = button(handInText(asking.collects, reading, Boolean(given && !isSame)), () => give({ do: "giveWork", ...place(asking) }), { focus: "handin", name: "softrod-strong" });
   made.disabled = isSame || (Boolean(asking.collects) && !reading);
-  const none = asking.collects && !reading ? "Nothing to read yet: let it move for a while." : "";
   return [
-    ...(asking.collects ? [make("p", "softrod-reading", none || what)] : []),
+    ...(asking.collects ? [make("p", "softrod-reading", reading ? say("seat-reading", { what: asking.collects, reading }) : say("seat-no-reading"))] : []),
     made,
-    ...(given?.sent ? [make("p", "softrod-handed", `Handed in${given.text ? `: ${given.text}` : ""}${lateText(given)}.`)] : []),
+    ...(given?.sent ? [make("p", "softrod-handed", given.text ? say("seat-handed.text", { text: given.text, late: lateness(given) }) : say("seat-handed", { late: lateness(given) }))] : []),
   ];
+}
+
+/** The button that hands in. @param {string} collects what is collected @param {string} reading its value @param {boolean} isInstead whether there was another before */
+function handInText(collects, reading, isInstead) {
+  if (!collects) return say(isInstead ? "seat-hand-in-run.instead" : "seat-hand-in-run");
+  if (!reading) return say(isInstead ? "seat-hand-in-it.instead" : "seat-hand-in-it");
+  return say(isInstead ? "seat-hand-in.instead" : "seat-hand-in", { reading });
 }
 
 /** What the class found, once one has put a point there. @param {Seat} seat */
 const classPlot = ({ found, own, axes }) =>
-  found.length ? [box("figure", "softrod-found", make("figcaption", "", "What the class found"), plot(found, axes, { own }))] : [];
+  found.length ? [box("figure", "softrod-found", make("figcaption", "", say("class-found")), plot(found, axes, { own }))] : [];
 
-/** @param {{late: boolean}} given */
-const lateText = ({ late }) => (late ? " (late: after the answers were told)" : "");
+/** Whether an answer was late, as texts choose by it. @param {{late: boolean}} given */
+const lateness = ({ late }) => (late ? "yes" : "no");
 
 /** Which of two pupils answers. @param {Seat} seat */
 function twins({ two }) {
@@ -406,22 +416,22 @@ function twins({ two }) {
     };
     return button(text, choose, { focus: `twin${which}`, pressed: twin === which });
   };
-  return [box("div", "softrod-twins", choice("First of you", 0), choice("Second of you", 1))];
+  return [box("div", "softrod-twins", choice(say("seat-first"), 0), choice(say("seat-second"), 1))];
 }
 
 /** The way back to a seat that another device had. */
 function comeBack() {
   /** @param {string} digits */
   const take = (digits) => /^[0-9]{2}$/.test(digits) && send({ do: "takeOver", digits });
-  return typedLine("I had a seat on another device: its two digits ", { maxLength: 2, inputMode: "numeric" }, ["Take it over"], take, "digits");
+  return typedLine(say("seat-had"), { maxLength: 2, inputMode: "numeric" }, [say("seat-take-over")], take, "digits");
 }
 
 /** What can be arranged about the seat. @param {Seat} seat @returns {HTMLElement[]} */
 function lobbyOf({ two, digits, types_name }) {
-  const move = digits ? `On the other device type ${digits}` : "Go on with another device";
+  const move = digits ? say("seat-move-digits", { digits }) : say("seat-move");
   const parts = [
-    button("Another name", () => send({ do: "newName" }), { focus: "name" }),
-    button("We are two", () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
+    button(say("seat-another-name"), () => send({ do: "newName" }), { focus: "name" }),
+    button(say("seat-two"), () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
     button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
   ];
   const own = types_name ? [nameLine()] : [];
@@ -430,8 +440,8 @@ function lobbyOf({ two, digits, types_name }) {
 
 /** Where a pupil types their own name. */
 function nameLine() {
-  const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: "Your name", placeholder: "Your name" };
-  return typedLine("", named, ["That is me"], (wanted) => send({ do: "newName", wanted }), "own name");
+  const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
+  return typedLine("", named, [say("seat-name-me")], (wanted) => send({ do: "newName", wanted }), "own name");
 }
 
 /** The page of somebody who is in no class: which one do they come to? @param {Seat} seat */
@@ -442,7 +452,7 @@ function entrance({ problem }) {
   return [
     make("h1", "", "softrod"),
     ...(problem ? [make("p", "softrod-warning", problem)] : []),
-    typedLine("The four letters on the wall ", { maxLength: 4, autocapitalize: "characters" }, ["Come in", "softrod-strong"], enter, "code"),
+    typedLine(say("seat-letters"), { maxLength: 4, autocapitalize: "characters" }, [say("seat-come-in"), "softrod-strong"], enter, "code"),
     ...(isNamed ? [comeBack(), ...(refusal ? [make("p", "softrod-warning", refusal)] : [])] : []),
   ];
 }

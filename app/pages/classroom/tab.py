@@ -58,9 +58,6 @@ LOOK_EVERY = 1.0 / 15.0
 """Seconds between two looks at the class for a page without a body of its own: the pictures of a moving body
 reach it at once, see `shared_view`."""
 
-TRY_AGAIN = "Try other values, and press Reset."
-"""What is said of a body that has exploded."""
-
 KEPT_EVERY = 2.0
 """Seconds between two keepsakes of a body."""
 
@@ -260,7 +257,7 @@ class ClassTab:
         self._send_readings(self._plotted)
         for notice in session.notices:
             # What the limit is, is for the pupil to find out.
-            text = TRY_AGAIN if notice.about == "runaway" else notice.text
+            text = say("seat-try-again") if notice.about == "runaway" else notice.text
             self._mail.send(messages.Remark(title=notice.title, text=text))
         session.notices.clear()
 

@@ -1,13 +1,14 @@
 // @ts-check
 /** The wall: what a class sees on the projector, large enough for the last row, and without names. */
 import { element } from "../../export/static/parts.js";
-import { box, qrCode, typedAddress, untranslated, voteBars } from "../../features/classroom/elements.js";
+import { box, qrCode, sayWith, typedAddress, untranslated, voteBars } from "../../features/classroom/elements.js";
 import { partsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot, power } from "../../features/classroom/plot.js";
 import { Predictions } from "../../features/classroom/prediction.js";
 import { make } from "../../ui/dialog.js";
 import { onMessage } from "../../wire/channel.js";
+import { say } from "../../words/words.js";
 import { Bench } from "./bench.js";
 import { hangUp } from "./line.js";
 import { Reveal } from "./reveal.js";
@@ -16,8 +17,10 @@ import { Reveal } from "./reveal.js";
 
 /** Milliseconds after which a wall that nobody has come to names a possible reason. */
 const EMPTY_AFTER = 60_000;
-/** What the class has to do in a phase that waits for all. */
-const WAITS = { ask: "have answered", explain: "have written a line", collect: "have handed in" };
+/** How many have done it, in a phase that waits for all. */
+const WAITS = /** @type {const} */ ({ ask: "class-answered", explain: "class-wrote", collect: "class-handed-in" });
+/** How many bodies do what; the number stands over it. @type {Record<string, "wall-trying" | "wall-exploded" | "wall-untouched" | "wall-at-goal">} */
+const DOING = { trying: "wall-trying", exploded: "wall-exploded", untouched: "wall-untouched", "at the goal": "wall-at-goal" };
 /** Letters of an answer that stands as large as a number. */
 const SHORT = 9;
 /** Most pupils who have a ring each that fills when they have answered. */
@@ -63,7 +66,7 @@ export function addWall(picture) {
     // With nothing beside it, the body has the whole width.
     document.documentElement.toggleAttribute("data-softrod-wide", !parts.length);
     if (hasWaited && phase === "lobby" && !wall.seats) {
-      parts.push(make("p", "softrod-warning", "Nobody yet? Networks may keep devices apart: try this laptop's hotspot."));
+      parts.push(make("p", "softrod-warning", say("wall-nobody")));
     }
     if (phase === "run") parts.push(bench.plots);
     side.replaceChildren(...parts);
@@ -87,7 +90,7 @@ export function addWall(picture) {
     predictions.show([]);
     reveal.show([], [], "", []);
     wall = null;
-    side.replaceChildren(make("h1", "", "The class is over."));
+    side.replaceChildren(make("h1", "", say("class-over")));
     corner.replaceChildren();
     hangUp();
   });
@@ -97,7 +100,7 @@ export function addWall(picture) {
 /** How one comes in, while it may be wanted: with a QR code while pupils answer. @param {Wall} wall @returns {Node[]} */
 function wayIn({ asking: { phase }, address, code, qr }) {
   if (phase === "lobby") return [];
-  const words = box("p", "", "Open ", make("b", "", typedAddress(address)), " and type ", make("b", "softrod-wall-letters", code));
+  const words = box("p", "", ...sayWith("wall-way-in", { address: make("b", "", typedAddress(address)), code: make("b", "softrod-wall-letters", code) }));
   return phase === "ask" ? [qrCode(qr, `${address}?room=${code}`), words] : [words];
 }
 
@@ -106,7 +109,7 @@ function count({ asking: { phase }, seats, answered }) {
   const waits = WAITS[/** @type {keyof typeof WAITS} */ (phase)];
   if (!waits) return [];
   const rings = box("div", "softrod-rings", ...Array.from({ length: seats <= MAX_RINGS ? seats : 0 }, (_, i) => make("i", i < answered ? "softrod-done" : "")));
-  return [box("p", "softrod-wall-count", make("b", "", String(answered)), ` of ${seats} ${waits}`), rings];
+  return [box("p", "softrod-wall-count", ...sayWith(waits, { done: make("b", "", String(answered)), all: seats })), rings];
 }
 
 /** @param {Wall} wall @returns {Element[]} */
@@ -115,33 +118,33 @@ function content(wall) {
   const { phase, stop, question, choices, right, because, predict, runs } = asking;
   if (phase === "lobby") {
     const scanned = qrCode(qr, `${address}?room=${code}`, "softrod-wall-qr");
-    const typed = box("p", "softrod-wall-address", "Scan this, or open ", untranslated(make("b", "", typedAddress(address))), " and type");
-    return [scanned, typed, untranslated(make("p", "softrod-wall-code", code)), make("p", "softrod-wall-count", `${seats} ${seats === 1 ? "is" : "are"} here`)];
+    const typed = box("p", "softrod-wall-address", ...sayWith("wall-scan", { address: untranslated(make("b", "", typedAddress(address))) }));
+    return [scanned, typed, untranslated(make("p", "softrod-wall-code", code)), make("p", "softrod-wall-count", say("wall-here", { count: seats }))];
   }
   if (phase === "show") return [];
   const { given, asked } = partsOf(question);
-  const head = make("p", "softrod-wall-step", steps > 1 ? `Step ${stop + 1} of ${steps}` : "");
+  const head = make("p", "softrod-wall-step", steps > 1 ? say("wall-step", { number: stop + 1, steps }) : "");
   /** @type {Element[]} */
   const parts = [head];
   if (phase === "ask" || phase === "results" || phase === "run") {
     // The run has its plot here.
     if (given && phase !== "run") parts.push(make("p", "softrod-wall-given", given));
     if (asked) parts.push(make("h1", "", asked));
-    if (phase === "run" && runs) parts.push(make("p", "softrod-wall-given", `Now: ${runs}`));
-    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", `Where will it be ${predict} s after the start?`));
+    if (phase === "run" && runs) parts.push(make("p", "softrod-wall-given", say("wall-now", { runs })));
+    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", say("wall-where", { seconds: String(predict) })));
     if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
   }
   if (phase === "reveal") {
     if (right >= 0) parts.push(make("p", choices[right].length <= SHORT ? "softrod-wall-number" : "softrod-wall-number softrod-long", choices[right]));
     if (because) parts.push(make("h1", "softrod-wall-because", because));
     if (question && bars.length) parts.push(voteBars(choices, bars, right));
-    parts.push(make("p", "softrod-wall-rest", "Next: tell your neighbour why."));
+    parts.push(make("p", "softrod-wall-rest", say("wall-next")));
   }
-  if (phase === "explain") parts.push(make("h1", "", "Why? Answer in one sentence."));
+  if (phase === "explain") parts.push(make("h1", "", say("class-why")));
   if (OWN_BODY.has(phase)) {
     // The plot needs the room.
     if (!found.length) parts.push(make("p", "", asking.do));
-    if (asking.goal) parts.push(make("p", "", `Goal: ${asking.goal}`));
+    if (asking.goal) parts.push(make("p", "", say("class-goal", { goal: asking.goal })));
     parts.push(counts(doing));
     if (found.length) parts.push(plot(found, axes, { law }));
     if (law) parts.push(make("p", "", power(law, axes)));
@@ -156,4 +159,4 @@ function content(wall) {
 
 /** How many bodies do what, in large numbers. @param {Record<string, number>} doing */
 const counts = (doing) =>
-  box("ul", "softrod-counts", ...Object.entries(doing).filter(([, count]) => count).map(([word, count]) => box("li", "", make("b", "", String(count)), make("span", "", word))));
+  box("ul", "softrod-counts", ...Object.entries(doing).filter(([, count]) => count).map(([word, count]) => box("li", "", make("b", "", String(count)), make("span", "", say(DOING[word], { count })))));

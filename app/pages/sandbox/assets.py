@@ -133,7 +133,7 @@ def _index(folder: str) -> str:
             f'<link rel="modulepreload" href="{folder}{_MAIN}" />',
             f"<style>{page_styles(f'{folder}ui/fonts/')}</style></head><body>",
             (_APP / "ui" / "viser" / "loading.html").read_text(encoding="utf-8"),
-            PLACE,
+            f'<main class="softrod-main"><h1 class="softrod-tell">softrod</h1>{PLACE}</main>',
             "{words}",
             f'<script type="module" src="{folder}{_MAIN}"></script>',
             f'<script type="text/plain"{script.removeprefix("<script")}</body></html>',

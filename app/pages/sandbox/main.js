@@ -24,7 +24,7 @@ import { listenToPresses } from "../../ui/hands/presses.js";
 import { addUnderlay } from "../../stage/underlay.js";
 import * as seen from "../../ui/viser/seen.js";
 import { isKnown, project, render, viserCanvas, whenViser } from "../../ui/viser/viser.js";
-import { send } from "../../wire/channel.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { say } from "../../words/words.js";
 import { FEATURES } from "./features.js";
 
@@ -75,6 +75,8 @@ whenViser((viser) => {
   resume(openLink);
   listenToLinks();
   addPaper();
+  const heading = document.querySelector("main > h1");
+  onMessage("pageState", ({ title }) => heading && (heading.textContent = title || "softrod"));
   addClassroom();
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does

@@ -1,7 +1,7 @@
 // @ts-check
 /** Notices of the server, over the bar of time. One stays while the pointer or the focus is on it. */
 import { takeOver } from "../../wire/channel.js";
-import { make, makeButton } from "../dialog.js";
+import { make, makeButton, overCanvas } from "../dialog.js";
 import { say } from "../../words/words.js";
 
 /** Notices that are shown at a time; older ones go. */
@@ -17,7 +17,7 @@ const GAP = 12;
 export function takeNotices() {
   const list = make("div", "softrod-notices");
   list.setAttribute("role", "status");
-  document.body.append(list);
+  overCanvas().append(list);
   /** @type {Map<string, HTMLElement>} */
   const shown = new Map();
   /** @param {string} id */

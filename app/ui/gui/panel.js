@@ -6,7 +6,7 @@ import { has, onMessage, pageState } from "../../wire/channel.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../kept/storage.js";
 import { foldStrips } from "../strip.js";
-import { iconHtml, make, makeButton } from "../dialog.js";
+import { iconHtml, make, makeButton, overCanvas } from "../dialog.js";
 import { withKey } from "../hands/key_table.js";
 import { say } from "../../words/words.js";
 import { openFinder } from "./finder.js";
@@ -73,7 +73,9 @@ class Panel {
   }
 
   begin() {
-    document.body.append(this.over, this.element, this.unfolds);
+    overCanvas().append(this.over);
+    document.body.append(this.element);
+    overCanvas().append(this.unfolds);
     onMessage("pageState", () => {
       this.help.hidden = !has("help");
       this.showOver();

@@ -2,7 +2,7 @@
 /** Buttons that hold the arrow keys, for touch screens: each has the name of its key in `data-softrod-key`. */
 
 import { onMessage } from "../../wire/channel.js";
-import { make, makeButton } from "../dialog.js";
+import { make, makeButton, overCanvas } from "../dialog.js";
 import { say } from "../../words/words.js";
 
 /** @typedef {"up" | "down" | "left" | "right"} Key */
@@ -28,7 +28,7 @@ export function addPad() {
     button.style.gridArea = place;
     pad.append(button);
   }
-  document.body.append(pad);
+  overCanvas().append(pad);
   onMessage("pageState", ({ arrows = [] }) => {
     pad.hidden = arrows.length === 0;
     for (const button of pad.children) button.toggleAttribute("hidden", !arrows.includes(/** @type {HTMLElement} */ (button).dataset.softrodKey ?? ""));

@@ -1,5 +1,6 @@
 // @ts-check
 /** The body by keys alone: a stop of the Tab key over the canvas, and a live region that says what happened. */
+import { overCanvas } from "../dialog.js";
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { toWorld } from "../../stage/draw.js";
@@ -18,8 +19,8 @@ export function addBodyKeys() {
   const live = document.createElement("div");
   live.className = "softrod-live";
   live.setAttribute("role", "status");
-  document.body.prepend(stop);
-  document.body.append(live);
+  overCanvas().prepend(stop);
+  overCanvas().append(live);
   /** Where the mass in hand is, in the world. */
   let at = { x: 0, y: 0 };
   let number = -1;

@@ -23,19 +23,19 @@ hud-step = time step { $step } ms, { $percent } % of the limit
     .explodes = time step { $step } ms, { $percent } % of the limit: unstable, explodes when touched
 
 # The angle of a joint. $count: how many joints there are.
-reading-sine = sine
-reading-cosine = cosine
-reading-angle = angle
-reading-rest-angle = rest angle
-reading-of = of { $count }
+card-sine = sine
+card-cosine = cosine
+card-angle = angle
+card-rest-angle = rest angle
+card-of = of { $count }
 # The card beside a mass that was clicked; of: several joints are at that mass.
-reading-mass = Mass { $mass }
-reading-joint = Joint { $joint }
+card-mass = Mass { $mass }
+card-joint = Joint { $joint }
     .of = Joint { $joint } (of { $count } here)
-reading-x = x
-reading-y = y
-reading-speed = speed
-reading-stiffness = stiffness
+card-x = x
+card-y = y
+card-speed = speed
+card-stiffness = stiffness
 
 # How fast the solver runs.
 rates-factor = real-time factor
