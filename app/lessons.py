@@ -20,6 +20,7 @@ from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
 from .words import say
 from .words.keys import Key
+from .words.settings import label_of, label_of_choice, options_of
 
 MAX_TOLD = 3
 """Pulls of a run that are told one by one."""
@@ -167,15 +168,15 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
     for assignment in run.settings:
         key, _, value = assignment.partition("=")
         if key in CHOICES:
-            choice = CHOICES[key].options.get(value, value)
-            said.append(say("run-choice", choice=CHOICES[key].label, option=choice))
+            choice = options_of(key).get(value, value)
+            said.append(say("run-choice", choice=label_of_choice(key), option=choice))
             continue
         try:
             setting = setting_of(scene, key)
         except sim.SettingError:
             said.append(assignment)
         else:
-            said.append(f"{setting.label} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
+            said.append(f"{label_of(setting)} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
     few = run.pulls if len(run.pulls) <= MAX_TOLD else ()
     if len(run.pulls) > len(few):
         said.append(say("run-many", count=len(run.pulls)))

@@ -156,7 +156,7 @@ class Ticker:
             _log.exception("the tab %s is closed after an error", client_id)
             self.tabs.pop(client_id, None)
             tab.leave()
-            with contextlib.suppress(Exception):
+            with contextlib.suppress(Exception), speaking(tab.language):
                 tab.stop()
 
     def _come_and_go(self) -> None:

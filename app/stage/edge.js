@@ -2,6 +2,8 @@
 /** A button at the edge of the view, an arrow towards a body that has left it; it shows the whole scene. */
 import { fit } from "./camera.js";
 import { iconHtml, makeButton, overCanvas } from "../ui/dialog.js";
+import { withKey } from "../ui/hands/key_table.js";
+import { say } from "../words/words.js";
 
 /** Pixels between the arrow's middle and the edge. */
 const INSET = 34;
@@ -70,8 +72,8 @@ export function addEdgeArrow() {
     button.blur();
   }, "softrod-edge");
   button.hidden = true;
-  button.ariaLabel = "The body is out of view. Show the whole scene";
-  button.title = "Show the whole scene (0)";
+  button.ariaLabel = say("stage-away");
+  button.title = withKey(say("command-fit"), "fit");
   button.innerHTML = iconHtml("M5 10v4h8v5l7-7-7-7v5z");
   overCanvas().append(button);
   /** @param {import("./sight.js").Sight} seen */

@@ -2,20 +2,17 @@
 /** A sentence on an empty canvas, and a button for the tool that draws a body. */
 import { make, makeButton, overCanvas } from "../ui/dialog.js";
 import { editing, isEditable, onEditing, setEditing, setTool } from "../features/edit/editing.js";
+import { say } from "../words/words.js";
 import { onMarksRedraw, redrawMarks } from "./sight.js";
 
 /** Its place from the top, as a part of the canvas above the bar of time. */
 const HEIGHT = 0.62;
 
-/** Before the tool is chosen. */
-const BEFORE = "Nothing is built here yet.";
-const WITH_TOOL = " for a mass. Drag from a mass for a spring.";
-
 /** Adds it to the page, hidden. */
 export function addEmpty() {
   const note = make("div", "softrod-empty");
   const text = make("p", "");
-  const button = makeButton("Draw a body", () => {
+  const button = makeButton(say("stage-empty.draw"), () => {
     setEditing(true);
     setTool("build");
     button.blur(); // keys act on the tools
@@ -29,7 +26,7 @@ export function addEmpty() {
   onMarksRedraw(({ plan, box, floor }) => {
     note.hidden = !isEditable() || plan.radius.length > 1 || plan.springs.length > 0 || (editing.on && !building());
     if (note.hidden) return;
-    text.textContent = !building() ? BEFORE : (touch.matches ? "Tap" : "Click") + WITH_TOOL;
+    text.textContent = say(!building() ? "stage-empty" : touch.matches ? "stage-empty.tap" : "stage-empty.click");
     button.hidden = building();
     note.style.left = `${box.left + box.width / 2}px`;
     note.style.top = `${box.top + HEIGHT * (floor - box.top)}px`;

@@ -10,6 +10,7 @@ import { takenPaper, takePaper } from "./taken.js";
 import { keepMarksDrawn, onMarksRedraw, redrawMarks } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
 import { viserCanvas } from "../ui/viser/viser.js";
+import { say } from "../words/words.js";
 
 /** @typedef {import("./sight.js").Sight} Sight */
 
@@ -112,7 +113,7 @@ function chosenMark(add) {
 function hintMark(add) {
   const hint = add("g", "softrod-hint");
   const [pill, text] = [makeSvg("rect", "", hint), makeSvg("text", "", hint)];
-  text.textContent = "drag me";
+  text.textContent = say("stage-drag");
   /** @param {Event} event */
   const pressed = (event) => event.target === viserCanvas() && done();
   const done = () => {

@@ -7,11 +7,8 @@ import { stopSending } from "../wire/channel.js";
 import { reasonOfRefusal } from "../wire/reach.js";
 import { make, overCanvas } from "./dialog.js";
 import { lost } from "./kept/keep.js";
+import { say } from "../words/words.js";
 
-const TEXT = "Not connected: your body waits. Reconnecting…";
-/** If the server gives no reason why there is no first connection. */
-const BLOCKED =
-  "The page has loaded, but its live connection fails: something on the way blocks WebSockets. Try another network, such as the hotspot of the computer that softrod runs on.";
 /** Events that begin something. Moves and releases are let through, so that whatever is pressed can be released. */
 const BEGINNINGS = ["pointerdown", "mousedown", "touchstart", "click", "dblclick", "keydown", "paste", "cut", "drop"];
 /** Keys of the browser, which move the focus or close a dialog. */
@@ -62,7 +59,7 @@ export function watchConnectionLoss() {
     }
     if (!away) lostAt = Infinity;
     document.documentElement.toggleAttribute("data-softrod-away", away);
-    banner.textContent = away ? TEXT : "";
-    if (!wasConnected) reasonOfRefusal(BLOCKED, TEXT).then((text) => wasConnected || (banner.textContent = text));
+    banner.textContent = away ? say("ui-away") : "";
+    if (!wasConnected) reasonOfRefusal(say("ui-blocked"), say("ui-away")).then((text) => wasConnected || (banner.textContent = text));
   };
 }

@@ -12,6 +12,7 @@ from sim.settings import TEMPLATES, Setting, settings_of
 from sim.solve.registry import METHODS
 
 from ..session import commands
+from ..words import say
 from .page import Page
 from .viser.choice_box import ChoiceBox
 from .viser.handlers import on_change
@@ -114,7 +115,7 @@ class Board:
 
     def _add_templates(self, order: float) -> None:
         names = tuple(f"{angle}°" for angle in TEMPLATES)
-        choice = self._page.client.gui.add_dropdown("Angle template", names, order=order)
+        choice = self._page.client.gui.add_dropdown(say("ui-templates"), names, order=order)
         self._templates.append(choice)
         self._handles.append(choice)
 
@@ -159,7 +160,7 @@ class MixedValuesNote:
     def show(self) -> None:
         """Update the text."""
         mixed = dict.fromkeys(mixed_words(box.setting) for box in self._sliders if box.mixed)
-        words = " ".join(f"<b>mixed</b>: {each}." for each in mixed)
+        words = " ".join(say("ui-mixed.note", what=each) for each in mixed)
         if self._note is None and words:
             with self._place:
                 self._note = self._gui.add_html("", order=self._order)

@@ -1,20 +1,24 @@
 """Commands of keys, buttons, menus, the palette and the help.
 
-A row is all that a command needs: the page's copy of the table (`app/wire/commands.js`), the list of keys in
-docs/using.md and the types of the script are made from it by ``uv run python -m tests.page.generate``. Rows
+A row is what a command does, and by which keys; its texts are the message with its name in
+`app/words/en/commands.ftl`. The page's copy of the table (`app/wire/commands.js`), the list of keys in
+docs/using.md and the types of the script are made from both by ``uv run python -m tests.page.generate``. Rows
 are declared by the features that execute them; `app.pages.sandbox.features` has the whole table.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any, Literal
 
 import viser
 
 from ..session import commands
 from ..session.session import Session
+from ..words import find, say
 
 Does = commands.Command | Callable[[Session, Any], None] | Literal["page", "edit", "own"]
 """What a command does: a command of the session; a function of the session and of the command's feature,
@@ -28,30 +32,22 @@ class Row:
     """A command.
 
     Attributes:
-        label: its name in the palette and in menus.
         does: see `Does`.
         keys: its keys, as they are shown.
-        help: description of the keys in the help and the documents; rows with the same text share a line.
-        hint: tooltip of its button.
         needs: the control without which it is left out, see `Feature.controls`.
         icon: data of an SVG path, 24 by 24.
-        word: text beside the icon of its button, if there is room; the label contains it.
         palette: the palette may list it.
         held: its keys act as long as they are held.
-        share: text and icon of its button in the Share tab; None without one.
+        share: icon of its button in the Share tab; None without one.
     """
 
-    label: str
     does: Does
     keys: tuple[str, ...] = ()
-    help: str = ""
-    hint: str = ""
     needs: str = ""
     icon: str = ""
-    word: str = ""
     palette: bool = True
     held: bool = False
-    share: tuple[str, viser.IconName] | None = None
+    share: viser.IconName | None = None
 
     @property
     def listed(self) -> bool:
@@ -66,10 +62,28 @@ class Row:
         return "held" if self.held else ""
 
 
+def key_of(name: str, part: str = "") -> str:
+    """The key of a text of a command; of its name, or of an attribute of its message: `hint`, as in
+    ``command-own-body.hint``."""
+    message = "command-" + re.sub("[A-Z]", lambda letter: f"-{letter[0].lower()}", name)
+    return f"{message}.{part}" if part else message
+
+
+def text_of(name: str, part: str = "") -> str:
+    """A text of a command, see `key_of`; "" if it has none."""
+    return find(key_of(name, part))
+
+
 def key_lines(table: Mapping[str, Row]) -> list[tuple[str, str]]:
     """Keys and their descriptions; keys with the same description share a line."""
     keys: dict[str, list[str]] = {}
-    for row in table.values():
-        if row.help:
-            keys.setdefault(row.help, []).extend(row.keys)
-    return [(" or ".join(names), help) for help, names in keys.items()]
+    for name, row in table.items():
+        if about := text_of(name, "help"):
+            keys.setdefault(about, []).extend(row.keys)
+    return [(keys_text(names), about) for about, names in keys.items()]
+
+
+def keys_text(keys: Sequence[str]) -> str:
+    """Keys that do the same, as the language that is spoken calls them."""
+    names = (" ".join(find(f"key-{part.lower()}", part) for part in key.split(" ")) for key in keys)
+    return reduce(lambda one, other: say("key-or", one=one, other=other), names)

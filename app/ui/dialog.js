@@ -2,6 +2,7 @@
 /**
  * Dialogs of the script. The browser traps the focus in them, returns it afterwards, and closes them with Esc.
  */
+import { say } from "../words/words.js";
 
 /**
  * Makes an HTML element.
@@ -47,7 +48,7 @@ export function makeDialog(title, name) {
   heading.id = `${name}-title`;
   dialog.setAttribute("aria-labelledby", heading.id);
   const close = makeButton("×", () => dialog.close(), "softrod-close");
-  close.ariaLabel = "Close";
+  close.ariaLabel = say("ui-close");
   head.append(heading, close);
   const body = make("div", "softrod-dialog-body");
   dialog.append(head, body);

@@ -30,19 +30,6 @@ class Drawn:
     exactly: bool
 
 
-@dataclass(frozen=True)
-class LongText:
-    """A text of a page that is too long for one message.
-
-    Attributes:
-        needs: the control without which it is ignored.
-        verb: participle for notices, as in "That cannot be opened".
-    """
-
-    needs: str
-    verb: str
-
-
 class Feature:
     """A feature of one page.
 
@@ -53,13 +40,14 @@ class Feature:
 
     Attributes:
         messages: kinds of messages that it handles, and the control that each needs; "" for none.
-        texts: long texts that it handles, by their kinds.
+        texts: kinds of texts that it handles which are too long for one message, and the control that each
+            needs; "" for none. The message `ui-unsent-KIND` says that one is too large.
         commands: see `Row`.
         controls: its controls by their names, and descriptions.
     """
 
     messages: ClassVar[Mapping[type[FromPage], str]] = {}
-    texts: ClassVar[Mapping[str, LongText]] = {}
+    texts: ClassVar[Mapping[str, str]] = {}
     commands: ClassVar[Mapping[str, Row]] = {}
     controls: ClassVar[Mapping[str, str]] = {}
 

@@ -13,6 +13,8 @@ from functools import partial
 import viser
 
 from ..stage.colors import palette
+from ..words import find, say
+from .commands import keys_text, text_of
 from .page import Page
 from .viser.handlers import add_command
 
@@ -38,10 +40,11 @@ class Panel:
         self._tabs: dict[str, viser.GuiTabHandle] = {}
 
     def tab(self, name: str) -> viser.GuiTabHandle:
-        """The tab of a name, created at the first call; tabs are in the order of these calls."""
+        """The tab of a name, in English, created at the first call; tabs are in the order of these calls. Its
+        message is `ui-tab-NAME`."""
         if name not in self._tabs:
             self._group = self._group or self._gui.add_tab_group()
-            self._tabs[name] = self._group.add_tab(name)
+            self._tabs[name] = self._group.add_tab(find(f"ui-tab-{name.lower()}", name))
         return self._tabs[name]
 
     def find(self, name: str) -> viser.GuiTabHandle | None:
@@ -53,7 +56,8 @@ class Panel:
         for name, row in self._page.commands.items():
             if not row.listed or (row.needs and row.needs not in self._page.controls):
                 continue
-            keys = " or ".join(row.keys)
-            held = ", held" if row.held else ""
-            about = f"key {keys}{held}" if keys else None
-            add_command(self._gui, row.label, partial(self._page.perform, name), about)
+            about = None
+            if row.keys:
+                keys = keys_text(row.keys)
+                about = say("key-of.held", keys=keys) if row.held else say("key-of", keys=keys)
+            add_command(self._gui, text_of(name), partial(self._page.perform, name), about)

@@ -12,13 +12,12 @@ from functools import partial
 from typing import Any, Generic, TypeVar
 
 from ..session.notices import Notice
+from ..words import language, say, speaking
 
 _log = logging.getLogger(__name__)
 
 MAX_WAITING = 100
 """Requests of one page that may wait; no person makes more."""
-
-TOO_MUCH = Notice("warning", "Too much at once", "The last requests were ignored. Try again in a moment.")
 
 threads = ThreadPoolExecutor(8, thread_name_prefix="softrod-request")
 """Threads of all pages for work that would block the event loop, such as reading, packing and drawing scenes.
@@ -27,8 +26,14 @@ Some of it waits until a step of a heavy body is done; eight keep other pages fr
 T = TypeVar("T")
 
 
+def too_much() -> Notice:
+    """Make the notice that requests are ignored."""
+    return Notice("warning", say("ui-too-much"), say("ui-too-much.text"))
+
+
 class BoundedQueue(Generic[T]):
-    """A queue that refuses items while it is full, with one notice for all of them.
+    """A queue that refuses items while it is full, with one notice for all of them in the language in which
+    the queue is made.
 
     Args:
         refuse: shows the notice to the page's user.
@@ -39,6 +44,7 @@ class BoundedQueue(Generic[T]):
         self._refuse, self._max_items = refuse, max_items
         self._items: deque[T] = deque()
         self._has_refused = False
+        self._language = language()
 
     def __len__(self) -> int:
         return len(self._items)
@@ -49,7 +55,8 @@ class BoundedQueue(Generic[T]):
             self._items.append(item)
         elif not self._has_refused:
             self._has_refused = True
-            self._refuse(TOO_MUCH)
+            with speaking(self._language):
+                self._refuse(too_much())
 
     def take(self) -> T:
         """Remove and return the first item.

@@ -19,13 +19,16 @@ from sim.solve.registry import METHODS
 from ..session.session import Session
 from ..stage.colors import Palette
 from ..stage.plan import broken_of, yielded_of
+from ..words import find, say
+from ..words.keys import Key
+from ..words.settings import options_of
 
-_NAMES = {
-    "sine": "sine",
-    "cosine": "cosine",
-    "radians": "angle",
-    "degrees": "angle",
-    "rest_angle": "rest angle",
+_NAMES: dict[str, Key] = {
+    "sine": "card-sine",
+    "cosine": "card-cosine",
+    "radians": "card-angle",
+    "degrees": "card-angle",
+    "rest_angle": "card-rest-angle",
 }
 
 _BEHIND = 5.0
@@ -57,56 +60,54 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
     It says whether the body moves and whether the clock keeps up, and explains the colours. The stability
     meter is there if the time step is near the limit, if the scene asks for it, or with `meter`."""
     state = _state(session, at_rest)
-    lines = [f"<b>{state}</b>"] if state else []
+    lines = [f"<b>{html.escape(say(state))}</b>"] if state else []
     lines += _damage(session, colors)
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05 and rates.real_time_factor < 0.95:
-        lines.append(
-            f'<span class="softrod-quiet">slowed down: {rates.real_time_factor:.2g} × real time</span>'
-        )
+        lines.append(_span("softrod-quiet", say("hud-slow", factor=f"{rates.real_time_factor:.2g}")))
     behind = max(session.simulation.behind.values(), default=0.0)
     if behind > _BEHIND:
-        lines.append(
-            f'<span class="softrod-lag">the body cannot follow so fast: the hand is {behind:.0f} '
-            f"{html.escape(session.scene.view.unit)} behind</span>"
-        )
+        distance = f"{behind:.0f} {session.scene.view.unit}"
+        lines.append(_span("softrod-lag", say("hud-behind", distance=distance)))
     if session.preparing:
-        lines.append(f'<span class="softrod-quiet">{html.escape(session.preparing)}</span>')
+        lines.append(_span("softrod-quiet", session.preparing))
     dt, limit = session.simulation.dt, session.stability.limit  # infinite for methods without one
     wanted = meter or "stability" in session.scene.view.readouts or dt > NEAR_THE_LIMIT * limit
     if wanted and math.isfinite(limit):
-        lines.append(_meter(dt, limit, state == "at rest"))
+        lines.append(_meter(dt, limit, state == "hud-rest"))
     if len(session.simulation.anchors) < len(session.simulation.scene.masses):
         gradient = ",".join(colors.css(name) for name in ("pushed", "rest", "pulled"))
         bar = f'<i class="softrod-key" style="background:linear-gradient(90deg,{gradient})"></i>'
-        lines.append(f'<span class="softrod-legend">squeezed{bar}stretched</span>')
+        squeezed, stretched = html.escape(say("hud-squeezed")), html.escape(say("hud-squeezed.stretched"))
+        lines.append(f'<span class="softrod-legend">{squeezed}{bar}{stretched}</span>')
     return "<br>".join(lines)
+
+
+def _span(name: str, text: str) -> str:
+    return f'<span class="{name}">{html.escape(text)}</span>'
 
 
 def _damage(session: Session, colors: Palette) -> list[str]:
     """The numbers of broken and of yielded springs, with the mark of the latter."""
     damage, lines = session.simulation.damage, []
     if broken := len(broken_of(damage)):
-        lines.append(f"{_springs(broken)} broken")
+        lines.append(html.escape(say("hud-broken", count=broken)))
     if damage is not None and damage.set_lengths:
         rest = np.array([spring.rest_length for spring in session.simulation.scene.linear_springs])
         if yielded := yielded_of(damage, rest):
             side, middle = colors.css("rest"), colors.css("ink")
             mark = f"linear-gradient({side} 33%,{middle} 33% 67%,{side} 67%)"
-            lines.append(f'{_springs(yielded)} yielded<i class="softrod-key" style="background:{mark}"></i>')
+            text = html.escape(say("hud-yielded", count=yielded))
+            lines.append(f'{text}<i class="softrod-key" style="background:{mark}"></i>')
     return lines
 
 
-def _springs(count: int) -> str:
-    return f"{count} {'spring' if count == 1 else 'springs'}"
-
-
-def _state(session: Session, at_rest: bool) -> str:
+def _state(session: Session, at_rest: bool) -> Key | None:
     if session.simulation.divergence is not None:
-        return "stopped"
+        return "hud-stopped"
     if not session.playing:
-        return "looking back" if session.history.scrubbed else "paused"
-    return "at rest" if at_rest else ""
+        return "hud-past" if session.history.scrubbed else "hud-paused"
+    return "hud-rest" if at_rest else None
 
 
 def _meter(dt: float, limit: float, at_rest: bool) -> str:
@@ -117,9 +118,10 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
     ratio = dt / limit
     color = "good-bar" if ratio < 0.7 else "call-edge" if ratio < 1.0 else "bad"
     width = min(100.0, 100.0 * ratio)
-    words = f"time step {1e3 * dt:.3g} ms, {100.0 * ratio:.0f} % of the limit"
+    key: Key = "hud-step"
     if ratio >= 1.0:
-        words += ": unstable, explodes when touched" if at_rest else ": unstable"
+        key = "hud-step.explodes" if at_rest else "hud-step.unstable"
+    words = html.escape(say(key, step=f"{1e3 * dt:.3g}", percent=f"{100.0 * ratio:.0f}"))
     bar = f"width:{width:.0f}%;background:var(--softrod-{color})"
     return f'<span class="softrod-meter"><i style="{bar}"></i></span>{words}'
 
@@ -140,9 +142,11 @@ def joint_table(session: Session) -> str:
         "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
     }
     # Named as in plots; numbers count from 0 everywhere.
-    rows = [f"<tr><td>joint{session.joint}</td><td>of {len(angles)}</td></tr>"]
+    rows = [
+        f"<tr><td>joint{session.joint}</td><td>{html.escape(say('card-of', count=len(angles)))}</td></tr>"
+    ]
     rows += [
-        f"<tr><td>{_NAMES[key]}</td><td>{values[key]}</td></tr>"
+        f"<tr><td>{html.escape(say(_NAMES[key]))}</td><td>{values[key]}</td></tr>"
         for key in simulation.scene.view.readouts
         if key in values
     ]
@@ -158,13 +162,20 @@ def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[s
         return _tenths(found.read(session.simulation), found.unit)
 
     if joint is None:
-        return f"Mass {mass}", {what: read(f"mass{mass}.{what}") for what in ("x", "y", "speed")}
+        return say("card-mass", mass=str(mass)), {
+            say("card-x"): read(f"mass{mass}.x"),
+            say("card-y"): read(f"mass{mass}.y"),
+            say("card-speed"): read(f"mass{mass}.speed"),
+        }
     others = sum(mass_of_joint(scene, j) == mass for j in range(len(scene.angular_springs))) - 1
-    return f"Joint {joint}" + (f" (of {others + 1} here)" if others else ""), {
-        "angle": read(f"joint{joint}.angle"),
-        "rest angle": read(f"joint{joint}.rest_angle"),
-        "stiffness": f"{grouped(scene.angular_springs[joint].stiffness)} kg/s²",
-        "speed": read(f"mass{mass}.speed"),
+    title = say("card-joint", joint=str(joint))
+    if others:
+        title = say("card-joint.of", joint=str(joint), count=others + 1)
+    return title, {
+        say("card-angle"): read(f"joint{joint}.angle"),
+        say("card-rest-angle"): read(f"joint{joint}.rest_angle"),
+        say("card-stiffness"): f"{grouped(scene.angular_springs[joint].stiffness)} kg/s²",
+        say("card-speed"): read(f"mass{mass}.speed"),
     }
 
 
@@ -182,15 +193,15 @@ def rates_table(session: Session) -> str:
     """How fast the simulation runs."""
     rates = session.pacer.rates(session.now())
     rows = {
-        "real-time factor": f"{rates.real_time_factor:.2f}",
-        "steps per second": f"{rates.steps_per_second:.0f}",
-        "solver, per frame": f"{rates.solver_ms:.3f} ms",
-        "clock behind by": f"{rates.behind:.2f} s",
+        say("rates-factor"): f"{rates.real_time_factor:.2f}",
+        say("rates-steps"): f"{rates.steps_per_second:.0f}",
+        say("rates-solver"): f"{rates.solver_ms:.3f} ms",
+        say("rates-behind"): f"{rates.behind:.2f} s",
     }
     if METHODS[session.simulation.method].adaptive:
-        rows["rejected per second"] = f"{rates.rejected_per_second:.0f}"
+        rows[say("rates-rejected")] = f"{rates.rejected_per_second:.0f}"
     if session.fallbacks:
-        rows["fallback steps"] = f"{session.fallbacks}"
+        rows[say("rates-fallbacks")] = f"{session.fallbacks}"
     return table(rows)
 
 
@@ -200,27 +211,27 @@ def predictability_table(session: Session) -> str:
     if meter is None:
         return ""
     if meter.is_compiling:
-        return table({"predictability": "comes when it is compiled"})
+        return table({say("errors-title"): say("errors-title.compiled")})
     if meter.shadow.held:
-        return table({"predictability": "no mass is free"})
+        return table({say("errors-title"): say("errors-title.held")})
     growth = meter.growth
     if growth is None:
-        return table({"errors grow": "being measured, for a second"})
+        return table({say("errors-grow"): say("errors-grow.measured")})
     rows = {
-        "errors grow, last second": f"× {factor_of(growth):.2g}",
-        "rate": f"{growth:+.2g} / s",
-        "e-folding time": f"{1.0 / growth:.2g} s" if growth > 0.0 else "none",
-        "its solver, per frame": f"{1e3 * meter.cost:.3f} ms",
+        say("errors-factor"): f"× {factor_of(growth):.2g}",
+        say("errors-rate"): f"{growth:+.2g} / s",
+        say("errors-time"): f"{1.0 / growth:.2g} s" if growth > 0.0 else say("errors-time.none"),
+        say("errors-solver"): f"{1e3 * meter.cost:.3f} ms",
     }
     kind = "softrod-lag" if meter.is_chaotic else "softrod-about"
     words = html.escape(meter.verdict)
     return f'{table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
 
 
-_MORE = {
-    "linear_stiffness": "stiffness of the springs",
-    "angular_stiffness": "stiffness of the joints",
-    "gravity": "gravity",
+_MORE: dict[str, Key] = {
+    "linear_stiffness": "tuning-one-linear-stiffness",
+    "angular_stiffness": "tuning-one-angular-stiffness",
+    "gravity": "tuning-one-gravity",
 }
 _NEGLIGIBLE = 1e-5
 """Relative effect of 1 % of a number below which it is not shown."""
@@ -243,30 +254,32 @@ def tuning_table(
     rows: dict[str, str] = {}
     slowest, elastic = found.slowest, found.elastic
     if slowest is not None:
-        rows["slowest vibration"] = _vibration(slowest)
+        rows[say("tuning-slowest")] = _vibration(slowest)
     # The slowest vibration of a body may be swinging under gravity, without its springs.
     if elastic is not None and slowest is not None and elastic.frequency > 1.001 * slowest.frequency:
-        rows["slowest elastic one"] = _vibration(elastic)
+        rows[say("tuning-elastic")] = _vibration(elastic)
     if elastic is not None:
         calm = elastic.calm_after
-        rows["calm after"] = f"{_duration(calm)}, to a tenth" if math.isfinite(calm) else "never: undamped"
+        after = say("tuning-calm.after", time=_duration(calm))
+        rows[say("tuning-calm")] = after if math.isfinite(calm) else say("tuning-calm.never")
     if found.fastest is not None:
-        rows["fastest vibration"] = _vibration(found.fastest)
+        rows[say("tuning-fastest")] = _vibration(found.fastest)
     if found.sag is not None:
-        pull = "gravity" if any(scene.gravity) else "its loads"
-        rows[f"sag under {pull}"] = f"{found.sag:.3g} {html.escape(scene.view.unit)}, mass {found.sag_mass}"
+        pull = say("tuning-sag") if any(scene.gravity) else say("tuning-sag.loads")
+        sag = f"{found.sag:.3g} {html.escape(scene.view.unit)}"
+        rows[pull] = say("tuning-sag.value", sag=sag, mass=str(found.sag_mass))
     for method, step in found.stable_steps.items():
-        limit = f"stable to {1e3 * step:.3g} ms" if math.isfinite(step) else "stable at any step"
-        rows[METHODS[method].label] = limit
+        limit = say("tuning-stable", step=f"{1e3 * step:.3g}")
+        rows[options_of("method")[method]] = limit if math.isfinite(step) else say("tuning-stable.always")
     alone = found.springs
     if len(alone.frequency):
-        name = f"spring {spring} alone"
+        name = say("tuning-spring", spring=str(spring))
         if spring is None:
-            spring, name = int(np.argmax(alone.frequency)), "fastest spring alone"
+            spring, name = int(np.argmax(alone.frequency)), say("tuning-spring-fastest")
         rows[name] = _rate(float(alone.frequency[spring]), float(alone.damping_ratio[spring]))
     for one in does:
         if effects := _effects(one, found.sag, html.escape(scene.view.unit)):
-            rows[f"1 % more {_MORE[one.key]}"] = effects
+            rows[say(_MORE[one.key])] = effects
     notes = "".join(
         f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
         for note in found.notes
@@ -278,9 +291,11 @@ def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
     """The effect of 1 % more of a number; empty if negligible."""
     effects = []
     if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NEGLIGIBLE * abs(sag):
-        effects.append(f"{abs(0.01 * one.sag):.2g} {unit} {'more' if one.sag > 0.0 else 'less'} sag")
+        key: Key = "tuning-more-sag" if one.sag > 0.0 else "tuning-less-sag"
+        effects.append(say(key, sag=f"{abs(0.01 * one.sag):.2g} {unit}"))
     if one.frequency is not None and abs(0.01 * one.frequency) > _NEGLIGIBLE:
-        effects.append(f"{abs(one.frequency):.2g}\u00a0% {'faster' if one.frequency > 0.0 else 'slower'}")
+        key = "tuning-faster" if one.frequency > 0.0 else "tuning-slower"
+        effects.append(say(key, percent=f"{abs(one.frequency):.2g}"))
     return ", ".join(effects)
 
 
@@ -291,9 +306,11 @@ def _vibration(vibration: Vibration) -> str:
 def _rate(frequency: float, ratio: float) -> str:
     """A frequency, its period, and a damping ratio."""
     if not frequency > 0.0:
-        return "none"
-    damped = "undamped" if ratio < 1e-4 else f"damping ratio {ratio:.2g}"
-    return f"{frequency:.3g} Hz, {_duration(1.0 / frequency)}, {damped}"
+        return say("tuning-rate.none")
+    hertz, period = f"{frequency:.3g}", _duration(1.0 / frequency)
+    if ratio < 1e-4:
+        return say("tuning-rate.undamped", frequency=hertz, period=period)
+    return say("tuning-rate", frequency=hertz, period=period, ratio=f"{ratio:.2g}")
 
 
 def _duration(seconds: float) -> str:
@@ -306,40 +323,34 @@ def ghost_table(session: Session) -> str:
     if ghost is None:
         return ""
     if ghost.is_compiling:
-        return table({"ghost": f"{html.escape(ghost.label)}: comes when it is compiled"})
+        return table({say("ghost-title"): html.escape(say("ghost-title.compiled", ghost=ghost.label))})
     unit = html.escape(session.scene.view.unit)
     rows = {
-        "ghost": html.escape(ghost.label),
-        "distance now": f"{ghost.distance:.3g} {unit}",
-        "largest distance": f"{ghost.worst:.3g} {unit}",
-        "ghost's solver, per frame": f"{1e3 * ghost.cost:.3f} ms",
+        say("ghost-title"): html.escape(ghost.label),
+        say("ghost-distance"): f"{ghost.distance:.3g} {unit}",
+        say("ghost-worst"): f"{ghost.worst:.3g} {unit}",
+        say("ghost-solver"): f"{1e3 * ghost.cost:.3f} ms",
     }
     if session.predictability is not None and session.predictability.growth is not None:
-        rows["any error grows"] = f"× {factor_of(session.predictability.growth):.2g} in a second"
+        factor = f"{factor_of(session.predictability.growth):.2g}"
+        rows[say("ghost-error")] = say("ghost-error.factor", factor=factor)
     if ghost.simulation.divergence is not None:
-        rows["ghost stopped"] = "it exploded"
+        rows[say("ghost-stopped")] = say("ghost-stopped.why")
     return table(rows)
 
 
-ENERGY_NAMES = {
-    "kinetic": "kinetic",
-    "gravity": "height",
-    **{term.name: term.label for term in WITH_ENERGY},
-    "anchors": "work of your hand",
-    "damping": "lost to damping",
-    "air": "lost to air and medium",
-    "friction": "lost to walls, ground, contact",
-    "plastic": "lost in yielding",
-    "broken": "lost in breaking",
-    "law": "made by the tutorial's law",
-    "keys": "work of the keys",
-    "muscles": "work of the muscles",
-    "motors": "work of the motors",
-    "changes": "changes of settings",
-    "fallbacks": "lost in fallback steps",
-    "residual": "residual: the method's error",
-}
-"""Names of the entries of the energy balance in the table."""
+_TERMS = {term.name: term.label for term in WITH_ENERGY}
+
+ENERGIES = (
+    "kinetic", "gravity", *_TERMS, "anchors", "damping", "air", "friction", "plastic", "broken", "law",
+    "keys", "muscles", "motors", "changes", "fallbacks", "residual",
+)  # fmt: skip
+"""Entries of the energy balance, in the order of the table."""
+
+
+def energy_name(of: str) -> str:
+    """The name of an entry of the energy balance."""
+    return find(f"energy-{of}", _TERMS.get(of, ""))
 
 
 _LOSSES = ("damping", "air", "friction", "plastic", "broken", "fallbacks")
@@ -359,17 +370,17 @@ def energy_table(session: Session) -> str:
     if not session.follows_energy:
         return ""
     if not session.simulation.track_energy(True):
-        return table({"energy": "is followed when it is compiled"})
+        return table({say("energy-title"): say("energy-title.compiled")})
     balance = session.simulation.energy()
-    rows = {"unit": html.escape(unit_in(ENERGY_UNIT, session.scene.view.unit))}
-    largest = max(abs(getattr(balance, key)) for key in ENERGY_NAMES)
-    for key, name in ENERGY_NAMES.items():
+    rows = {say("energy-unit"): html.escape(unit_in(ENERGY_UNIT, session.scene.view.unit))}
+    largest = max(abs(getattr(balance, key)) for key in ENERGIES)
+    for key in ENERGIES:
         value = getattr(balance, key)
         if key in _LOSSES:
             value = -value
         if value or key in ("kinetic", "residual"):
             loaded = key == "gravity" and is_loaded(session.scene)
-            rows[f"{name} and loads" if loaded else name] = energy(value, largest)
+            rows[say("energy-gravity.loads") if loaded else energy_name(key)] = energy(value, largest)
     return table(rows)
 
 
@@ -382,8 +393,8 @@ def description(scene: sim.Scene, editable: bool) -> str:
     """
     text = f"<p>{html.escape(scene.description)}</p>" if scene.description else ""
     if editable:
-        words = "Edit name and text" if text else "Name this scene, and say what it shows"
-        text += f'<button type="button" class="softrod-edit-texts">{words}</button>'
+        words = say("about-edit") if text else say("about-edit.new")
+        text += f'<button type="button" class="softrod-edit-texts">{html.escape(words)}</button>'
     return f'<div id="softrod-about" class="softrod-text softrod-about">{text}</div>' if text else ""
 
 
@@ -403,46 +414,40 @@ def mass_of_joint(scene: sim.Scene, joint: int) -> int:
     return min({a.a, a.b} & {b.a, b.b}, default=a.a)
 
 
-HELP_PICTURES = (
+HELP_PICTURES: tuple[tuple[Key, str], ...] = (
     (
-        "Drag",
+        "view-help-drag",
         '<path class="softrod-help-line" d="M30 12 38 34 52 54 72 68 96 74"/>'
         '<g class="softrod-help-mass"><circle cx="30" cy="12" r="6"/><circle cx="52" cy="54" r="6"/>'
         '<circle cx="96" cy="74" r="8"/></g>'
         '<path class="softrod-help-hand" d="M96 74l4 20 5-6 8 0z"/>'
         '<path class="softrod-help-way" d="M108 66q14-12 20-32m-8 6 8-6 3 9"/>',
-        "any mass. Held ones stay where you leave them, free ones fall. Drag the paper to move it, scroll or "
-        "pinch to zoom.",
     ),
     (
-        "Change",
+        "view-help-change",
         '<path class="softrod-help-rail" d="M16 28h118M16 66h118"/>'
         '<path class="softrod-help-way" d="M16 28h72M16 66h34"/>'
         '<g class="softrod-help-mass"><circle cx="88" cy="28" r="8"/><circle cx="50" cy="66" r="8"/></g>'
         '<path class="softrod-help-way" d="M96 44h26m-8-6 8 6-8 6"/>',
-        "stiffness, damping, lengths and angles in the Play tab, or draw a body of your own with Edit.",
     ),
     (
-        "Measure",
+        "view-help-measure",
         '<path class="softrod-help-rail" d="M18 8v78h122"/>'
         '<path class="softrod-help-way" d="M18 60C30 0 40 0 52 50S72 92 84 54 104 20 114 50 126 66 138 52"/>',
-        "with plots that read off period and damping, with arrows, a ruler, a protractor and a stopwatch.",
     ),
 )
-"""Pictures of the help: a word, a picture of 150 by 96, and the rest of the sentence."""
+"""Sentences of the help, and their pictures of 150 by 96."""
 
 
 def help_html(keys: list[tuple[str, str]]) -> str:
     """The help panel, with the keys and their descriptions."""
     figures = "".join(
         f'<figure><svg viewBox="0 0 150 96" aria-hidden="true">{picture}</svg>'
-        f"<figcaption><b>{title}</b> {text}</figcaption></figure>"
-        for title, picture, text in HELP_PICTURES
+        f"<figcaption>{say(text)}</figcaption></figure>"
+        for text, picture in HELP_PICTURES
     )
     rows = "".join(f"<tr><td><kbd translate='no'>{key}</kbd></td><td>{what}</td></tr>" for key, what in keys)
     return (
         f'<div class="softrod-text"><div class="softrod-help">{figures}</div>'
-        "<p>The bar below the body goes back to any moment of the run. Play goes on from the moment that it "
-        "shows; what happened before you went back stays as a thin line. Click or tap a mass to read its "
-        f"joint.</p><table>{rows}</table></div>"
+        f"<p>{html.escape(say('view-help-time'))}</p><table>{rows}</table></div>"
     )

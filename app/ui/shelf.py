@@ -17,6 +17,7 @@ from sim.store import files, own_scenes
 from sim.store.files import SceneInfo
 
 from ..wire.from_page import Who
+from ..words import say
 from . import owner
 
 _FRESH = 1.0
@@ -94,7 +95,7 @@ class Shelf:
         if self.owned:
             return files.user_folder()
         if self._visitor is None:
-            raise SceneError("the page has not identified its user; reload it and try again")
+            raise SceneError(say("ui-no-user"))
         return self._visitor
 
     def stamp(self) -> tuple[Stamp, Stamp | None]:
@@ -139,7 +140,7 @@ class Shelf:
         if self.owned:
             return
         if not exists and len(list(self.folder.glob("*.json"))) >= MAX_SCENES:
-            raise SceneError(f"you have {MAX_SCENES} scenes here, the maximum; delete some first")
+            raise SceneError(say("ui-no-room", count=MAX_SCENES))
         taken = sum(path.stat().st_size for path in visitors_folder().rglob("*.json"))
         if taken + files.MAX_FILE_BYTES > MAX_BYTES:
-            raise SceneError("this computer has no room for more scenes of visitors; download it as a file")
+            raise SceneError(say("ui-no-room.computer"))

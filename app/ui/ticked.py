@@ -6,7 +6,9 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any, Protocol
 
-STOPPED = "This page has stopped", "There was an error on the server. Reload the page to go on."
+from ..words.keys import Key
+
+STOPPED: tuple[Key, Key] = ("ui-stopped", "ui-stopped.text")
 """What the user of a page reads that is closed after an error."""
 
 CALM_FRAME = 1.0

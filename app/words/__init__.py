@@ -119,6 +119,16 @@ def say(key: Key, **values: str | float) -> str:
     return _text(_now.get(), key, **values)
 
 
+def find(key: str, otherwise: str = "") -> str:
+    """A text without places, by a key that is made of a name; something else where there is no such text."""
+    name, _, attribute = key.partition(".")
+    entry = _messages(_now.get()).get(name)
+    there = entry.value is not None if entry else False
+    if entry and attribute:
+        there = any(each.id.name == attribute for each in entry.attributes)
+    return _text(_now.get(), key) if there else otherwise
+
+
 def number(value: float, digits: int = 3) -> str:
     """A number with some significant digits at most, as the language that is spoken now writes it."""
     rounded = float(f"{value:.{digits}g}")
@@ -176,8 +186,15 @@ class Pseudo(Transformer):
 
 @cache
 def _messages(tag: str) -> dict[str, ast.Message]:
-    """All messages, in English where the language has none."""
-    return entries(ENGLISH) | entries(tag)
+    """All messages; texts that the language lacks, of whole messages or of their attributes, are English."""
+    found = dict(entries(ENGLISH))
+    for name, own in entries(tag).items():
+        if (english := found.get(name)) is not None:
+            own, had = own.clone(), {each.id.name for each in own.attributes}
+            own.value = own.value or english.value
+            own.attributes += [each for each in english.attributes if each.id.name not in had]
+        found[name] = own
+    return found
 
 
 @cache

@@ -2,9 +2,10 @@
 /** The page's words in its language: Fluent messages, which the server puts into the page beside its script. */
 import { FluentBundle, FluentResource } from "./fluent/fluent.js";
 
-const own = typeof document === "undefined" ? null : document.getElementById("words");
-/** Words of a program without a page, as in tests. @type {{language: string, direction: string, text: string}} */
-const words = /** @type {any} */ (globalThis).softrodWords || {
+/** Words of a program without a page, as in tests. @type {{language: string, direction: string, text: string} | undefined} */
+const given = /** @type {any} */ (globalThis).softrodWords;
+const own = given || typeof document === "undefined" ? null : document.getElementById("words");
+const words = given || {
   language: (own && own.lang) || "en",
   direction: (own && own.dir) || "ltr",
   text: (own && own.textContent) || "",

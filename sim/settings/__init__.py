@@ -41,7 +41,7 @@ from ..scene.validate import validate
 from ..solve.registry import METHODS
 from .air import with_air_law
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
-from .recipes import Setting, keys_of_recipe, recipe_settings, turned
+from .recipes import Setting, recipe_settings, settings_of_recipe, turned
 from .touch import holds, touched, with_grip, with_restitution
 
 TEMPLATES: tuple[int, ...] = get_args(Template)
@@ -590,4 +590,5 @@ assert set(CHOICES["air_law"].options) == set(get_args(AirLaw))
 
 def setting_keys() -> frozenset[str]:
     """Return the keys of all settings that any scene can have, including those of its only recipe."""
-    return frozenset(SETTINGS) | {key for kind in get_args(AnyRecipe) for key in keys_of_recipe(kind)}
+    of_recipes = (each.key for kind in get_args(AnyRecipe) for each in settings_of_recipe(kind))
+    return frozenset((*SETTINGS, *of_recipes))

@@ -38,6 +38,7 @@ class Setting:
             amount.
         remark: what users should know when they set it in a scene; empty if nothing.
         term: the technical term, where the label is a plainer one.
+        recipe: the name of the recipe that it is a field of; empty if it is of the scene.
     """
 
     key: str
@@ -54,38 +55,35 @@ class Setting:
     differs: Callable[[Scene], bool] = lambda _: False
     remark: Callable[[Scene], str] = lambda _: ""
     term: str = ""
+    recipe: str = ""
 
 
 def recipe_settings(scene: Scene) -> list[Setting]:
     """Return the settings of a scene's recipes that have an effect, in the order of bodies and fields."""
     alone = len(scene.bodies) == 1
-    every = [s for i, body in enumerate(scene.bodies) for s in _settings(type(body), i, alone)]
+    every = [s for i, body in enumerate(scene.bodies) for s in settings_of_recipe(type(body), i, alone)]
     return [setting for setting in every if setting.applies(scene)]
 
 
-def keys_of_recipe(kind: type[AnyRecipe]) -> list[str]:
-    """Return the keys of a recipe's settings in a scene where it is the only one."""
-    return [setting.key for setting in _settings(kind, 0, True)]
-
-
 @cache  # so that a panel can recognise unchanged settings
-def _settings(kind: type[AnyRecipe], body: int, alone: bool) -> list[Setting]:
+def settings_of_recipe(kind: type[AnyRecipe], body: int = 0, alone: bool = True) -> list[Setting]:
+    """Return all settings of a recipe, by its number in the scene and whether it is the only one there."""
     hints = get_type_hints(kind, include_extras=True)
     before = "" if alone else f"{kind.__name__} {body + 1}: "
     found = [(field, annotation_of(hints[field])) for field in kind.__struct_fields__]
     return [
-        _setting(field, number[1], body, before, number[0] is int)
+        _setting(kind.__name__, field, number[1], body, before, number[0] is int)
         for field, number in found
         if number is not None and (number[1].extra or {}).get("slider")
     ]
 
 
-def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bool) -> Setting:
+def _setting(recipe: str, field: str, meta: msgspec.Meta, body: int, before: str, integer: bool) -> Setting:
     extra = meta.extra or {}
 
     def write(scene: Scene, value: float) -> Scene:
-        recipe = msgspec.structs.replace(scene.bodies[body], **{field: value})
-        return rebuilt(scene, bodies=(*scene.bodies[:body], recipe, *scene.bodies[body + 1 :]))
+        changed = msgspec.structs.replace(scene.bodies[body], **{field: value})
+        return rebuilt(scene, bodies=(*scene.bodies[:body], changed, *scene.bodies[body + 1 :]))
 
     return Setting(
         key=f"bodies[{body}].{field}" if before else field,
@@ -104,6 +102,7 @@ def _setting(field: str, meta: msgspec.Meta, body: int, before: str, integer: bo
         ),
         logarithmic=extra["logarithmic"],
         integer=integer,
+        recipe=recipe,
     )
 
 

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-FILES = ("messages.py", "feature.py", "speed.js")
+FILES = ("messages.py", "feature.py", "speed.js", "speed.ftl")
 TRY = """
 import sys
+from pathlib import Path
 
 import app.features
+import app.words
 
+app.words._FOLDER = Path(sys.argv[1]) / "words"
 app.features.__path__.append(sys.argv[1])
 from app.features.speed.feature import SpeedFeature
 from app.pages.sandbox import features
@@ -27,6 +31,9 @@ from tests.page import generate
 
 assert 'import speed from "../../features/speed/speed.js";' in generate.features()
 assert "export type Fastest = " in generate.types()
+assert '"speed-says": "mass" | "speed";' in generate.keys_for_script()
+assert 'speed: {"label": "command-speed", ' in generate.table()
+assert "| Y | how fast the fastest mass is |" in generate.keys_list()
 page = WholePage("rope")
 page.frames(5, Perform("speed"))
 page.frames(5)
@@ -43,9 +50,11 @@ def test_the_guide_s_feature_is_one(tmp_path: Path) -> None:
     blocks = re.findall(r"^   ```\w+\n(.*?)^   ```", section, re.DOTALL | re.MULTILINE)
     folder = tmp_path / "speed"
     folder.mkdir()
+    shutil.copytree(ROOT / "app" / "words", tmp_path / "words", ignore=shutil.ignore_patterns("*.py"))
     (folder / "__init__.py").touch()
     for name, block in zip(FILES, blocks, strict=True):
-        (folder / name).write_text(re.sub(r"^   ", "", block, flags=re.MULTILINE), encoding="utf-8")
+        where = tmp_path / "words" / "en" if name.endswith(".ftl") else folder
+        (where / name).write_text(re.sub(r"^   ", "", block, flags=re.MULTILINE), encoding="utf-8")
     tried = subprocess.run(
         [sys.executable, "-c", TRY, str(tmp_path)], capture_output=True, text=True, cwd=ROOT, check=False
     )

@@ -19,7 +19,7 @@ from app.features.gallery.messages import ListScenes
 from app.pages.sandbox import requests
 from app.session.notices import Notice
 from app.ui import controls, queues
-from app.ui.queues import MAX_WAITING, TOO_MUCH, BoundedQueue, SerialQueue
+from app.ui.queues import MAX_WAITING, BoundedQueue, SerialQueue, too_much
 from app.wire.from_page import Part, Unsent
 from app.wire.to_page import Resumed
 from sim.store import files
@@ -68,7 +68,7 @@ def test_a_page_that_asks_endlessly_keeps_neither_memory_nor_the_threads_of_othe
     assert eventually(lambda: len(done) == MAX_WAITING)
     # What there was room for is done in order, and one notice says that the rest is not.
     assert done == list(range(MAX_WAITING))
-    assert told == [TOO_MUCH]
+    assert told == [too_much()]
     last = threading.Event()
     line.submit(last.set)
     assert last.wait(LIMIT)
@@ -82,7 +82,7 @@ def test_a_full_queue_says_so_once_until_it_is_empty() -> None:
             queue.add(number)
         assert [queue.take(), queue.take()] == [0, 1]
         assert len(queue) == 0
-    assert told == [TOO_MUCH, TOO_MUCH]
+    assert told == [too_much(), too_much()]
 
 
 def test_texts_that_are_never_finished_are_bounded() -> None:
@@ -95,7 +95,7 @@ def test_texts_that_are_never_finished_are_bounded() -> None:
             answering.take(Part(kind, number, 99, letters))  # type: ignore[arg-type]
             held = sum(parts.size for parts in answering.unfinished)
             assert held <= requests.MAX_UNFINISHED
-    assert TOO_MUCH in page.notices
+    assert too_much() in page.notices
 
 
 def test_no_event_takes_the_place_of_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 import sim
-from app.features.gallery.entries import FIRST, GROUPS, OTHERS
+from app.features.gallery.entries import FIRST, GROUPS
 from app.features.gallery.entries import entries as entries_of
 from app.ui import shelf
+from app.words import say
 from sim.store import files
 from sim.store.files import SceneInfo
 from sim.store.own_scenes import trash_user_scene
@@ -56,7 +57,7 @@ def test_scenes_are_grouped_by_what_they_are(home: Path) -> None:
     groups: dict[str, list[str]] = {}
     for entry in entries_of(shelf.scenes()):
         groups.setdefault(entry.group, []).append(entry.name)
-    assert list(groups) == [group for group in GROUPS if group != OTHERS]
+    assert list(groups) == [say(group) for group in GROUPS if group != "gallery-shared"]
     assert groups["Start here"] == list(FIRST)
     assert groups["Tutorial"] == ["tutorial-3.1", "tutorial-3.2", "tutorial-3.3"]
     assert {"ring", "cloth", "bridge", "flag-pole"} <= set(groups["Bodies"])

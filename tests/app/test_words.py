@@ -11,9 +11,10 @@ import pytest
 from websockets.datastructures import Headers
 from websockets.http11 import Request
 
+from app import words
 from app.gate.gate import language_of
 from app.pages.sandbox.assets import page_in
-from app.words import ENGLISH, PSEUDO, choose, language, languages, of_script, say, speaking
+from app.words import ENGLISH, PSEUDO, choose, find, language, languages, of_script, say, speaking
 from tests.page.generate import texts
 from tests.words import wrong
 
@@ -75,6 +76,31 @@ def test_the_language_is_the_one_asked_for_or_the_browser_s(asked: str, accepted
 )
 def test_a_request_says_in_which_language(path: str, headers: dict[str, str], chosen: str) -> None:
     assert language_of(Request(path, Headers(headers))) == chosen
+
+
+def test_what_a_language_lacks_is_said_in_english(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for tag, text in (
+        ("en", "line-away = Away\n    .hint = why\ncanvas-body = Body\n"),
+        ("xx", "line-away = Yawa\nlanguage-direction = ltr\n"),
+    ):
+        (tmp_path / tag).mkdir()
+        (tmp_path / tag / "all.ftl").write_text(text)
+    caches = words.entries, words._messages, words._bundle
+    monkeypatch.setattr(words, "_FOLDER", tmp_path)
+    for cache in caches:
+        cache.cache_clear()
+    try:
+        with speaking("xx"):
+            assert [find(key) for key in ("line-away", "line-away.hint", "canvas-body")] == [
+                "Yawa",
+                "why",
+                "Body",
+            ]
+            assert (find("line-away.word"), find("nothing-here", "-")) == ("", "-")
+        assert ".hint = why" in of_script('say("line-away.hint")', "xx")
+    finally:
+        for cache in caches:
+            cache.cache_clear()
 
 
 def test_a_page_has_the_words_of_its_script_in_its_language_and_no_others() -> None:

@@ -267,7 +267,8 @@ def test_moments_share_damage_that_does_not_change() -> None:
 
 
 def test_every_entry_of_the_energy_balance_has_a_name() -> None:
-    assert tuple(readouts.ENERGY_NAMES) == ENERGY_FIELDS
+    assert readouts.ENERGIES == ENERGY_FIELDS
+    assert all(map(readouts.energy_name, ENERGY_FIELDS))
 
 
 def test_energies_of_surroundings_and_losses_have_names() -> None:

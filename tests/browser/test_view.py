@@ -54,3 +54,24 @@ def test_the_view_goes_after_a_body_that_leaves_it_unless_its_user_has_chosen_an
     assert desk.camera().same(chosen)
     desk.tell(commands.Open(sim.load_scene("rope")))
     desk.until(lambda: desk.uncovered(desk.place(0)), "another scene is shown whole")
+
+
+def test_the_frame_of_the_page_is_in_its_language(open_page: OpenPage) -> None:
+    desk = open_page("rope", path="/?lang=de")
+    page = desk.page
+    page.get_by_role("tab", name="Löser").wait_for()
+    assert page.get_by_role("tab").all_inner_texts() == ["Spielen", "Messen", "Löser", "Teilen"]
+    play = page.locator(".softrod-play")
+    desk.until(lambda: play.get_attribute("title") == "Pause (Leertaste)", "a key has its German name")
+    desk.tell(commands.Play(False))
+    desk.until(lambda: page.locator(".softrod-hud b").all_inner_texts() == ["Pause"], "the body is paused")
+    assert page.locator(".softrod-label").first.inner_text() == "Krümmung jedes Gelenks"
+    number = page.get_by_role("spinbutton").first
+    number.fill("nichts")
+    number.press("Enter")
+    desk.until(lambda: "„nichts“ ist keine Zahl." in page.inner_text("body"), "it says why not")
+    page.keyboard.press("Escape")
+    page.keyboard.press("Control+k")
+    page.get_by_role("combobox", name="Alles finden").fill("letzte änderung")
+    found = page.locator(".softrod-found-row")
+    desk.until(lambda: "Taste Strg Z" in found.first.inner_text(), "it is found by its German name")

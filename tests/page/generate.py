@@ -17,8 +17,8 @@ from fluent.syntax.visitor import Visitor
 from msgspec import inspect as types_of
 
 from app.pages.sandbox.features import COMMANDS, FEATURES
-from app.pages.sandbox.requests import VERBS
-from app.ui.commands import key_lines
+from app.pages.sandbox.requests import OWN_TEXTS
+from app.ui.commands import key_lines, key_of, text_of
 from app.ui.feature import Feature
 from app.wire.messages import Event, FromPage, Numbers, State, ToPage, messages
 from app.wire.sections import Section
@@ -98,7 +98,7 @@ def types() -> str:
     says, tells = messages(FromPage), messages(ToPage)
     tables = {name_of(feature): feature.commands for feature in FEATURES}
     page = {of: [name for name, row in table.items() if row.does == "page"] for of, table in tables.items()}
-    texts = [*VERBS, *(kind for feature in FEATURES for kind in feature.texts)]
+    texts = [*OWN_TEXTS, *(kind for feature in FEATURES for kind in feature.texts)]
     commands = "; ".join(
         f"{of}: {' | '.join(map(json.dumps, names)) or 'never'}" for of, names in page.items()
     )
@@ -178,11 +178,10 @@ def table() -> str:
     rows = []
     for name, row in COMMANDS.items():
         fields = {
-            "label": row.label,
-            "word": row.word,
+            "label": key_of(name),
+            **{part: key_of(name, part) for part in ("word", "hint") if text_of(name, part)},
             "keys": [key_name(key) for key in row.keys],
             "shown": row.keys[0] if row.keys else "",
-            "hint": row.hint,
             "needs": row.needs,
             "icon": row.icon,
             "where": row.where,
@@ -193,15 +192,17 @@ def table() -> str:
     return "\n".join(
         (
             "// @ts-check",
-            f"/** The table of commands. Made by `{COMMAND}` from app/wire/commands.py. */",
+            f"/** The table of commands. Made by `{COMMAND}` from the features. */",
             "",
             "/**",
-            " * @typedef {object} Row see app/wire/commands.py",
-            " * @property {string} label",
-            " * @property {string} [word]",
+            ' * @typedef {import("../words/keys.js").Plain} Key of a text',
+            " *",
+            " * @typedef {object} Row see app/ui/commands.py",
+            " * @property {Key} label",
+            " * @property {Key} [word]",
+            " * @property {Key} [hint]",
             ' * @property {string[]} keys as `pressed` in key_table.js has them: "ctrl shift z"',
             " * @property {string} [shown] the first of them, as it is shown",
-            " * @property {string} [hint]",
             " * @property {string} [needs]",
             " * @property {string} [icon]",
             " * @property {string} [where]",
@@ -309,6 +310,8 @@ def keys_for_script() -> str:
             "export type Words = {",
             *rows,
             "};",
+            "/** The keys of texts in which nothing has to be put. */",
+            "export type Plain = { [K in keyof Words]: Words[K] extends never ? K : never }[keyof Words];",
             "",
         )
     )

@@ -17,6 +17,7 @@ from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 from ...lessons import goal_text, lesson_code
 from ...session.plots import PlotSpec, parse_plot
 from ...words import listed, say
+from ...words.settings import label_of, label_of_choice
 from .sliders import KEYS, TUTORIAL
 
 MEASURED = frozenset(
@@ -181,9 +182,10 @@ def lesson_notes(scene: sim.Scene) -> list[str]:
     """What a file leaves out of a scene's lesson: see `live-notes` of `app/words`."""
     steps = scene.lesson.steps if scene.lesson is not None else ()
     begins = list(zip(steps, scenes_of_steps(scene), strict=True))
-    named = {**SETTINGS, **CHOICES}
+    named = {key: label_of(setting) for key, setting in SETTINGS.items()}
+    named |= {key: label_of_choice(key) for key in CHOICES}
     controls = {key for step in steps for key in step.controls if key not in KEYS}
-    missing = {named[key].label if key in named else key for key in controls}
+    missing = {named.get(key, key) for key in controls}
     plots = {text for step, at in begins for text in step.plots or () if not _is_drawn(parse_plot(text), at)}
     notes = []
     if missing:

@@ -9,6 +9,7 @@ import sim
 from sim.settings import CHOICES, SETTINGS, TEMPLATES, set_value, settings_of
 from sim.settings.recipes import Setting
 
+from ...words.settings import label_of, label_of_choice, options_of
 from .data import body_data
 
 TUTORIAL = "symplectic_euler"
@@ -70,11 +71,11 @@ def sliders(scene: sim.Scene) -> list[dict[str, Any]]:
         found.append(
             {
                 "key": LAW,
-                "label": choice.label,
+                "label": label_of_choice(LAW),
                 "unit": "",
                 "value": choice.read(scene),
                 "sets": _SETS[LAW],
-                "options": [list(option) for option in choice.options.items()],
+                "options": [list(option) for option in options_of(LAW).items()],
             }
         )
     return found
@@ -83,7 +84,7 @@ def sliders(scene: sim.Scene) -> list[dict[str, Any]]:
 def missing_labels(scene: sim.Scene) -> list[str]:
     """The settings of a scene that its file has no slider for, by their names for people, sorted."""
     return sorted(
-        setting.label
+        label_of(setting)
         for setting in settings_of(scene)
         if setting.key in SETTINGS.keys() - _HIDDEN and not _is_shown(scene, setting)
     )
@@ -104,7 +105,7 @@ def _slider(scene: sim.Scene, setting: Setting) -> dict[str, Any]:
     low, high = setting.slider
     slider: dict[str, Any] = {
         "key": setting.key,
-        "label": setting.label,
+        "label": label_of(setting),
         "unit": setting.unit.replace("px", scene.view.unit),
         "low": low,
         "high": high,

@@ -11,8 +11,4 @@ from ...ui.feature import Feature
 class AccessFeature(Feature):
     """The page Access of the View menu."""
 
-    commands: ClassVar = {
-        "access": Row(
-            "Access and language", "page", hint="language, letters as keys, larger, less motion", needs="view"
-        )
-    }
+    commands: ClassVar = {"access": Row("page", needs="view")}

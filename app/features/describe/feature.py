@@ -24,15 +24,7 @@ def _describe(session: Session, feature: DescribeFeature) -> None:
 class DescribeFeature(Feature):
     """Describes the body of one page."""
 
-    commands: ClassVar = {
-        "describe": Row(
-            "Describe the body",
-            _describe,
-            ("D",),
-            "describe the body in words",
-            hint="in words, also what changed",
-        )
-    }
+    commands: ClassVar = {"describe": Row(_describe, ("D",))}
 
     def __init__(self, page: Page) -> None:
         super().__init__(page)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from ...session import commands
 from ...ui.commands import Row
-from ...ui.feature import Drawn, Feature, LongText
+from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from .edits import Edits
@@ -26,56 +26,38 @@ class EditFeature(Feature):
     """The editing of one page."""
 
     messages: ClassVar = {Edit: "edit"}
-    texts: ClassVar = {"paste": LongText(needs="edit", verb="pasted")}
+    texts: ClassVar = {"paste": "edit"}
     controls: ClassVar = {"edit": "the tools that build and change the body, undo and redo"}
     commands: ClassVar = {
-        "edit": Row(
-            "Edit", "page", ("E",), "the tools that build and change the body: Build, Joint, Select, Cut",
-            hint="Build and change the body", needs="edit", word="Edit",
-            icon="M4 20l1-4L16 5l3 3L8 19zM14 7l3 3",
-        ),
-        "undo": Row(
-            "Undo the last change of the body", commands.Undo(), ("Ctrl Z",), "undo, redo", word="Undo",
-            icon="M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2",
-        ),
-        "redo": Row(
-            "Do again what was undone", commands.Redo(), ("Ctrl Y",), "undo, redo", word="Redo",
-            icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2",
-        ),
-        "hand": Row("Hand", "edit", ("H",), hint="Take hold of masses and drag them", icon=_HAND),
+        "edit": Row("page", ("E",), needs="edit", icon="M4 20l1-4L16 5l3 3L8 19zM14 7l3 3"),
+        "undo": Row(commands.Undo(), ("Ctrl Z",), icon="M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2"),
+        "redo": Row(commands.Redo(), ("Ctrl Y",), icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2"),
+        "hand": Row("edit", ("H",), icon=_HAND),
         "build": Row(
-            "Build", "edit", ("B",), hint="Click for a mass, drag from mass to mass for a spring",
+            "edit",
+            ("B",),
             icon="M6 18a2.500 2.500 0 1 0 0-.01zM18 8a2.500 2.500 0 1 0 0-.01zM8 16l8-7M18 15v6M15 18h6",
         ),
-        "joint": Row(
-            "Joint", "edit", ("K",), hint="Point at a mass and click a corner for an angular spring",
-            icon="M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500",
-        ),
-        "select": Row(
-            "Select", "edit", ("S",), hint="Click parts, or drag a frame around them",
-            icon="M5 4l14 7-6 2-2 6z",
-        ),
+        "joint": Row("edit", ("K",), icon="M5 19L19 6M5 19h15M11 13.500a8 8 0 0 1 2.500 5.500"),
+        "select": Row("edit", ("S",), icon="M5 4l14 7-6 2-2 6z"),
         "cut": Row(
-            "Cut", "edit", ("C",), hint="Draw a line through springs",
+            "edit",
+            ("C",),
             icon="M6 8a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM6 20a2 2 0 1 0 0-4 2 2 0 0 0 0 4zM7.700 7.200L19 18"
             "M7.700 16.800L19 6",
         ),
-        "pin": Row("Pin", "edit", ("P",), hint="Fix the masses where they are, or release them"),
-        "remove": Row("Delete", "edit", ("Delete", "Backspace"), hint="Delete what is selected"),
-        "duplicate": Row("Duplicate", "edit", ("Ctrl D",), hint="Add a copy next to it"),
-        "copy": Row("Copy", "edit", ("Ctrl C",)),
-        "all": Row("Select all", "edit", ("Ctrl A",)),
-        "mirror": Row("Mirror", "edit", hint="Left becomes right"),
-        "corners": Row("Corners", "edit", hint="Add angular springs at all corners, at rest as they are"),
-        "triangulate": Row("Triangulate", "edit", hint="Add springs until there are only triangles"),
-        "rest": Row("Rest as is", "edit", hint="Set rest lengths and rest angles to the present ones"),
-        "keep": Row(
-            "Keep this shape", "edit", hint="Set springs and joints so that they hold the body as it is now"
-        ),
-        "stiffen": Row(
-            "Keep it, stiffer", "edit", hint="The same, with as much stiffness as that needs"
-        ),
-    }  # fmt: skip
+        "pin": Row("edit", ("P",)),
+        "remove": Row("edit", ("Delete", "Backspace")),
+        "duplicate": Row("edit", ("Ctrl D",)),
+        "copy": Row("edit", ("Ctrl C",)),
+        "all": Row("edit", ("Ctrl A",)),
+        "mirror": Row("edit"),
+        "corners": Row("edit"),
+        "triangulate": Row("edit"),
+        "rest": Row("edit"),
+        "keep": Row("edit"),
+        "stiffen": Row("edit"),
+    }
 
     def __init__(self, page: Page) -> None:
         super().__init__(page)

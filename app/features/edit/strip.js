@@ -14,6 +14,7 @@ import { floorOf } from "../../stage/dock.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { canvasBox } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Act["what"]} Action */
 
@@ -53,18 +54,19 @@ function widthOf(selector) {
 /** @param {import("../../wire/wire.js").CommandName} name @param {() => void} press */
 function iconButton(name, press) {
   const { icon, word, label, hint } = COMMANDS[name];
+  const text = say(word ?? label);
   const button = makeButton("", press, "");
-  button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${word ?? label}</span>`;
-  button.title = hint ? withKey(hint, name) : "";
-  button.ariaLabel = word ?? label; // also where the word is hidden
+  button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg><span>${text}</span>`;
+  button.title = hint ? withKey(say(hint), name) : "";
+  button.ariaLabel = text; // also where the word is hidden
   return button;
 }
 
 /** @param {import("../../wire/wire.js").CommandName} name @param {() => void} press */
 function wordButton(name, press) {
-  const { label, hint = "" } = COMMANDS[name];
-  const button = makeButton(label, press, "");
-  button.title = withKey(hint, name);
+  const { label, hint } = COMMANDS[name];
+  const button = makeButton(say(label), press, "");
+  button.title = withKey(hint ? say(hint) : "", name);
   return button;
 }
 

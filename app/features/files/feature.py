@@ -8,7 +8,7 @@ import viser
 
 from ...session import commands
 from ...ui.commands import Row
-from ...ui.feature import Feature, LongText
+from ...ui.feature import Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from .export_panel import ExportPanel
@@ -25,15 +25,13 @@ class FilesFeature(Feature):
 
     messages: ClassVar = {Share: ""}
     texts: ClassVar = {
-        "link": LongText(needs="", verb="opened"),
-        "file": LongText(needs="files", verb="opened"),
+        "link": "",
+        "file": "files",
     }
     commands: ClassVar = {
-        "share": Row(
-            "Share this scene by a link", "page", needs="files", share=("Share by a link", viser.Icon.LINK)
-        ),
-        "video": Row("Measure in a video", "page", needs="files"),
-        "picture": Row("Picture of the page (PNG)", "page", ("I",), "a picture of the page, as a file"),
+        "share": Row("page", needs="files", share=viser.Icon.LINK),
+        "video": Row("page", needs="files"),
+        "picture": Row("page", ("I",)),
     }
     controls: ClassVar = {"files": "the Share tab"}
 

@@ -22,6 +22,7 @@ from sim.store.places import as_utf8
 
 from ...session import commands, log
 from ...session.session import Notice
+from ...ui.commands import text_of
 from ...ui.kept import keeping
 from ...ui.page import Page
 from ...ui.viser.handlers import on_press
@@ -54,7 +55,7 @@ class FilesPanel:
         gui.add_divider()
         for name, row in page.commands.items():
             if row.share is not None and row.needs in page.controls:
-                page.button(*row.share, partial(page.perform, name))
+                page.button(text_of(name, "share"), row.share, partial(page.perform, name))
         for label, icon, action in (
             ("Download as a file", viser.Icon.DOWNLOAD, self._download),
             ("Save a log", viser.Icon.HISTORY, self._save_log),

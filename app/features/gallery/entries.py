@@ -8,42 +8,52 @@ from collections.abc import Iterable
 from sim.store.files import SceneInfo
 
 from ...ui.shelf import SHARED
+from ...words import say
+from ...words.keys import Key
 from .messages import Entry
 
-OWN, OTHERS, START = "Your own", "Saved on this computer", "Start here"
-GROUPS = (OWN, OTHERS, START, "Lessons", "Muscles", "Bodies", "Tutorial", "Studies")
+GROUPS: tuple[Key, ...] = (
+    "gallery-own", "gallery-shared", "gallery-start", "gallery-lessons", "gallery-muscles", "gallery-bodies",
+    "gallery-tutorial", "gallery-studies",
+)  # fmt: skip
 """Headings of the gallery, in order."""
 
 FIRST = ("rope", "pile", "water-balloon", "jelly", "tree", "empty")
 """What a newcomer finds first, in order: what is fun, and the way to a body of one's own."""
 
-_FOLDERS = {"study": "Studies", "lessons": "Lessons", "muscles": "Muscles"}
+_FOLDERS: dict[str, Key] = {
+    "study": "gallery-studies", "lessons": "gallery-lessons", "muscles": "gallery-muscles"
+}  # fmt: skip
 
 
 def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
     """Scenes by their groups, and in these by their names; lessons by their titles, and what a newcomer finds
     first in the order of `FIRST`."""
-    found = [
+    return [
         Entry(
             name=info.name,
-            title=(info.built_in and info.title) or info.name.removeprefix(SHARED),
+            title=_title(info),
             line=re.split(r"(?<=[.!?])\s", info.description, maxsplit=1)[0],
             text=info.description,
-            group=_group(info),
+            group=say(_group(info)),
             own=not info.built_in and not info.name.startswith(SHARED),
             saved=not info.built_in,
         )
-        for info in scenes
+        for info in sorted(scenes, key=_order)
     ]
-    return sorted(found, key=_order)
 
 
-def _order(entry: Entry) -> tuple[int, tuple[str | int, ...]]:
-    if entry.group == START:
-        name = str(FIRST.index(entry.name))
+def _title(info: SceneInfo) -> str:
+    return (info.built_in and info.title) or info.name.removeprefix(SHARED)
+
+
+def _order(info: SceneInfo) -> tuple[int, tuple[str | int, ...]]:
+    group = _group(info)
+    if group == "gallery-start":
+        name = str(FIRST.index(info.name))
     else:  # lessons have a number at the beginning of their titles
-        name = entry.title if entry.group == "Lessons" else entry.name
-    return GROUPS.index(entry.group), _natural(name)
+        name = _title(info) if group == "gallery-lessons" else info.name
+    return GROUPS.index(group), _natural(name)
 
 
 def _natural(name: str) -> tuple[str | int, ...]:
@@ -52,13 +62,13 @@ def _natural(name: str) -> tuple[str | int, ...]:
     return tuple(int(part) if i % 2 else part for i, part in enumerate(parts))
 
 
-def _group(info: SceneInfo) -> str:
+def _group(info: SceneInfo) -> Key:
     if not info.built_in:
-        return OTHERS if info.name.startswith(SHARED) else OWN
+        return "gallery-shared" if info.name.startswith(SHARED) else "gallery-own"
     if info.group:
-        return _FOLDERS.get(info.group, "Bodies")
+        return _FOLDERS.get(info.group, "gallery-bodies")
     if info.name in FIRST:
-        return START
+        return "gallery-start"
     if info.name.startswith("tutorial"):
-        return "Tutorial"
-    return "Bodies"
+        return "gallery-tutorial"
+    return "gallery-bodies"

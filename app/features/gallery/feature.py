@@ -26,8 +26,8 @@ class GalleryFeature(Feature):
 
     messages: ClassVar = {ListScenes: "", OpenScene: "", UseInClass: "", ChangeScene: ""}
     commands: ClassVar = {
-        "gallery": Row("Choose another scene", "page", ("O",), "choose another scene", needs="chooser"),
-        "anew": Row("Open this scene anew", _anew, needs="chooser"),
+        "gallery": Row("page", ("O",), needs="chooser"),
+        "anew": Row(_anew, needs="chooser"),
     }
     controls: ClassVar = {
         "chooser": "the button with the scene's title, which opens the gallery, and Open anew"

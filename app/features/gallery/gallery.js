@@ -10,15 +10,17 @@ import { copied } from "../files/share.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { alsoFinds, refreshFinder } from "../../ui/gui/finder.js";
 import { isDark } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 import { focusCard, isFound, moveByKey } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
 const EMPTY = "empty";
 /** The choice of all groups. */
-const ALL = "All";
-const OWN = "Your own";
-const NONE_SAVED = "You have saved no scene yet. Save the one that you see in the Share tab, or build one: ";
+const ALL = say("gallery-all");
+/** Groups that are more than a heading, as the server calls them. */
+const OWN = say("gallery-own");
+const LESSONS = say("gallery-lessons");
 
 /**
  * Another use of the gallery than to open a scene.
@@ -51,21 +53,21 @@ class Gallery {
   #group = ALL;
   /** Where the gallery was left: its group, and how far down. */
   #left = { group: ALL, top: 0 };
-  #fresh = makeButton("New, from nothing", () => this.#begin());
-  #none = make("p", "softrod-none", "No scene has all of these words.");
+  #fresh = makeButton(say("gallery-new"), () => this.#begin());
+  #none = make("p", "softrod-none", say("gallery-none"));
   #cards = make("div", "");
   #foot = make("div", "softrod-dialog-foot");
   #said = make("span", "softrod-said");
 
   constructor() {
-    const { dialog, head, body } = makeDialog("Scenes", "softrod-gallery");
+    const { dialog, head, body } = makeDialog(say("gallery-title"), "softrod-gallery");
     this.dialog = dialog;
     this.body = body;
     this.title = /** @type {HTMLElement} */ (head.firstElementChild);
-    Object.assign(this.#search, { type: "search", placeholder: "Find a scene", ariaLabel: "Find a scene" });
+    Object.assign(this.#search, { type: "search", placeholder: say("gallery-search"), ariaLabel: say("gallery-search") });
     head.insertBefore(this.#search, head.lastChild);
     this.#chips.setAttribute("role", "radiogroup");
-    this.#chips.ariaLabel = "Groups of scenes";
+    this.#chips.ariaLabel = say("gallery-groups");
     const bar = make("div", "softrod-gallery-bar");
     bar.append(this.#chips, this.#fresh);
     head.after(bar);
@@ -88,7 +90,7 @@ class Gallery {
     this.#picker = picker;
     this.#line.replaceChildren(...(picker ? [picker.line] : []));
     this.dialog.toggleAttribute("data-picks", picker !== undefined);
-    this.title.textContent = picker?.title ?? "Scenes";
+    this.title.textContent = picker?.title ?? say("gallery-title");
     this.#search.value = "";
     this.#show(picker ? ALL : this.#left.group);
     this.#chosen = "";
@@ -195,7 +197,7 @@ class Gallery {
 
   /** The scenes, for "Find anything". @returns {import("../../ui/gui/finder.js").Found[]} */
   toFind() {
-    return this.#entries.map((entry) => ({ name: entry.title, kind: "scene", about: "Scene", also: entry.text, show: () => send({ do: "openScene", name: entry.name }) }));
+    return this.#entries.map((entry) => ({ name: entry.title, kind: "scene", about: say("gallery-scene"), also: entry.text, show: () => send({ do: "openScene", name: entry.name }) }));
   }
 
   /** Shows the scenes of one group. @param {string} group */
@@ -236,7 +238,7 @@ class Gallery {
   /** What to do where nothing is saved yet. */
   #noneSaved() {
     const section = make("section", "softrod-none-saved");
-    const text = make("p", "", NONE_SAVED);
+    const text = make("p", "", say("gallery-none-saved"));
     const empty = this.#entries.find(({ name }) => name === EMPTY);
     if (empty) text.append(makeButton(empty.title, () => this.#use(empty)));
     section.dataset.group = OWN;
@@ -285,21 +287,21 @@ class Gallery {
   #actions({ name, title, own, saved, group }) {
     /** @param {"delete" | "duplicate"} how */
     const change = (how) => send({ do: "changeScene", how, name });
-    /** @type {[string, () => void, boolean][]} */
+    /** @type {["gallery-rename" | "gallery-copy" | "gallery-delete" | "gallery-use", () => void, boolean][]} */
     const actions = [
-      ["Rename", () => this.#askForName(name), own],
-      ["Copy", () => change("duplicate"), saved],
-      ["Delete", () => change("delete"), own],
+      ["gallery-rename", () => this.#askForName(name), own],
+      ["gallery-copy", () => change("duplicate"), saved],
+      ["gallery-delete", () => change("delete"), own],
       // Of the presets, lessons are for classes; a command uses any other.
-      ["Use in class", () => send({ do: "useInClass", name }), this.#teaches && (own || group === "Lessons")],
+      ["gallery-use", () => send({ do: "useInClass", name }), this.#teaches && (own || group === LESSONS)],
     ];
     const offered = actions.filter(([, , isOffered]) => isOffered);
     if (!offered.length) return [];
     const cell = make("div", "softrod-actions");
     cell.setAttribute("role", "gridcell");
-    for (const [text, press] of offered) {
-      const button = makeButton(text, press);
-      button.ariaLabel = `${text} ${title}`;
+    for (const [key, press] of offered) {
+      const button = makeButton(say(key), press);
+      button.ariaLabel = say(`${key}.label`, { title });
       cell.append(button);
     }
     return [cell];
@@ -328,10 +330,10 @@ class Gallery {
   /** @param {string} name */
   #askForName(name) {
     const field = make("input", "softrod-search");
-    Object.assign(field, { value: name, maxLength: 60, ariaLabel: `New name of ${name}` });
+    Object.assign(field, { value: name, maxLength: 60, ariaLabel: say("gallery-rename.name", { name }) });
     const form = make("form", "softrod-dialog-line");
-    const enter = make("button", "softrod-button softrod-first", "Rename");
-    form.append(field, enter, makeButton("Cancel", () => this.say()));
+    const enter = make("button", "softrod-button softrod-first", say("gallery-rename"));
+    form.append(field, enter, makeButton(say("gallery-cancel"), () => this.say()));
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.#chosen = field.value;
@@ -352,9 +354,11 @@ class Gallery {
   /** @param {string} command by which a class begins that others can come to */
   tellCommand(command) {
     const field = make("textarea", "softrod-command");
-    Object.assign(field, { value: command, rows: 1, readOnly: true, ariaLabel: "Command" });
-    const copy = makeButton("Copy", async () => (copy.textContent = (await copied(field)) ? "Copied" : "Press Ctrl+C"));
-    this.say("Only this computer reaches this server. A class that others can come to begins in a terminal:", field, copy);
+    Object.assign(field, { value: command, rows: 1, readOnly: true, ariaLabel: say("gallery-command") });
+    const copy = makeButton(say("gallery-command.copy"), async () => {
+      copy.textContent = say((await copied(field)) ? "gallery-command.copied" : "gallery-command.keys");
+    });
+    this.say(say("gallery-command.about"), field, copy);
     copy.focus();
   }
 }
@@ -381,7 +385,7 @@ function begin() {
   onMessage("scenePictures", ({ pictures }) => gallery.picture(pictures));
   onMessage("usedInClass", ({ address, command }) => (address ? location.assign(address) : gallery.tellCommand(command)));
   onMessage("sceneChanged", ({ text, undo }) => {
-    gallery.say(text, ...(undo ? [makeButton("Undo", () => send({ do: "changeScene", how: "restore", name: undo }))] : []));
+    gallery.say(text, ...(undo ? [makeButton(say("command-undo.word"), () => send({ do: "changeScene", how: "restore", name: undo }))] : []));
     gallery.list();
   });
 }

@@ -20,6 +20,7 @@ from sim.store.files import read_scene
 from ...session import commands
 from ...session.notices import Notice
 from ...ui.page import Page
+from ...words import say
 from . import thumbnails
 from .entries import entries
 from .messages import (
@@ -64,14 +65,14 @@ class Gallery:
 
     def open(self, ask: OpenScene) -> None:
         """Open a scene; if it cannot be read, nothing changes."""
-        if scene := self._read(ask.name, "That scene cannot be opened"):
+        if scene := self._read(ask.name, say("gallery-not-opened")):
             self._session.post(commands.Open(scene))
 
     def _read(self, name: str, failure: str) -> Scene | None:
         """A listed scene, since a name could be the path of any file; if it cannot be read, say so."""
         try:
             if (info := self._shelf.find(name)) is None:
-                raise SceneError(f"there is no scene called {name!r} any more")
+                raise SceneError(say("gallery-gone", name=repr(name)))
             return read_scene(info.path)
         except SceneError as error:
             self._notify(Notice("error", failure, str(error)))
@@ -106,7 +107,7 @@ class Gallery:
         if begin is None:
             self._mail.send(UsedInClass(address="", command=command))
             return
-        scene = self._read(ask.name, "That scene cannot be used in a class")
+        scene = self._read(ask.name, say("gallery-not-used"))
         if scene is None:
             return
 
@@ -114,7 +115,7 @@ class Gallery:
             try:
                 self._mail.send(UsedInClass(address=begin(scene), command=command))
             except Refused as error:
-                self._notify(Notice("error", "No class has begun", str(error)))
+                self._notify(Notice("error", say("gallery-no-class"), str(error)))
 
         self._page.later(do)
 
@@ -128,14 +129,15 @@ class Gallery:
                     used = own_scenes.rename_user_scene(ask.name, ask.to, folder)
                     if self._session.scene.name == ask.name:
                         self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, used)))
-                    said = f"It is called {used!r} now."
+                    said = say("gallery-renamed", name=repr(used))
                 case "duplicate":
-                    said = f"The copy is called {self._shelf.duplicate(ask.name)!r}."
+                    said = say("gallery-copied", name=repr(self._shelf.duplicate(ask.name)))
                 case "delete":
                     trashed = own_scenes.trash_user_scene(ask.name, folder)
-                    said = f"{ask.name!r} is deleted."
+                    said = say("gallery-deleted", name=repr(ask.name))
                 case "restore":
-                    said = f"{own_scenes.restore_user_scene(ask.name, folder)!r} is back."
+                    restored = own_scenes.restore_user_scene(ask.name, folder)
+                    said = say("gallery-restored", name=repr(restored))
         except SceneError as error:
             said = str(error)
         self._mail.send(SceneChanged(text=said, undo=trashed))

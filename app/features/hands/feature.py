@@ -38,18 +38,10 @@ class HandsFeature(Feature):
 
     messages: ClassVar = {At: "", Grab: "", Drop: "", Keys: "", Pick: ""}
     commands: ClassVar = {
-        "body": Row(
-            "The body by keys", "own", ("Tab",),
-            "to the body, and on: arrows choose a mass, Space takes it, arrows move it",
-        ),
-        "lengths": Row(
-            "Every spring longer, shorter", _show_help, ("↑ ↓",), "held: every spring longer, shorter",
-            held=True,
-        ),
-        "angles": Row(
-            "Every rest angle up, down", _show_help, ("→ ←",), "held: every rest angle up, down", held=True
-        ),
-    }  # fmt: skip
+        "body": Row("own", ("Tab",)),
+        "lengths": Row(_show_help, ("↑ ↓",), held=True),
+        "angles": Row(_show_help, ("→ ←",), held=True),
+    }
 
     def hear(self, said: FromPage) -> None:
         """See `Feature`."""

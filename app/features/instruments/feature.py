@@ -26,9 +26,7 @@ class InstrumentsFeature(Feature):
 
     messages: ClassVar = {Pick: ""}
     commands: ClassVar = {
-        "stopwatch": Row(
-            "Stopwatch", "own", ("T", "L"), "start or stop the stopwatch, a lap, once it is on the canvas"
-        ),
+        "stopwatch": Row("own", ("T", "L")),
     }
     controls: ClassVar = {"tools": "the instruments"}
 

@@ -1,6 +1,7 @@
 // @ts-check
 /** The card of a lesson: one step, its question and what to do. */
 import { make, makeButton } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("../../wire/wire.js").Question} Question
@@ -33,7 +34,7 @@ function asked({ text, choices, answer: right }, run) {
 /** The right answer and why it is right. @param {Question} question @param {Run} run */
 function answered({ choices, answer: right, because }, run) {
   const { choice } = run.present;
-  const verdict = paragraph(choice === right ? "That is right." : `The answer is: ${choices[right]}.`, because);
+  const verdict = paragraph(choice === right ? say("lesson-right") : say("lesson-answer", { choice: choices[right] }), because);
   verdict.className = "softrod-verdict";
   verdict.tabIndex = -1;
   return verdict;
@@ -45,7 +46,7 @@ function progress({ at, steps }) {
   const dashes = make("span", "softrod-lesson-dashes");
   dashes.ariaHidden = "true";
   dashes.append(...steps.map((_, i) => make("i", i <= at ? "softrod-done" : "")));
-  count.append(dashes, make("span", "", `${at + 1} of ${steps.length}`));
+  count.append(dashes, make("span", "", say("lesson-count", { at: String(at + 1), count: String(steps.length) })));
   return count;
 }
 
@@ -54,12 +55,12 @@ function primary(run) {
   const { at, steps, step, present, waits } = run;
   const button = "softrod-button softrod-first softrod-lesson-next";
   if (step.question && !present.known) {
-    const check = makeButton("Check my answer", () => run.reveal(), `${button} softrod-lesson-reveal`);
+    const check = makeButton(say("lesson-check"), () => run.reveal(), `${button} softrod-lesson-reveal`);
     check.disabled = waits;
     return check;
   }
   const isLast = at + 1 === steps.length;
-  const next = makeButton(isLast ? "Back to step 1" : "Next step", () => (isLast ? run.startOver() : run.enter(at + 1)), button);
+  const next = makeButton(say(isLast ? "lesson-next.first" : "lesson-next"), () => (isLast ? run.startOver() : run.enter(at + 1)), button);
   next.disabled = waits;
   return next;
 }
@@ -86,20 +87,20 @@ export function lessonCard(run, more) {
     const told = question !== null && run.present.known;
     // What was to be done makes room for what is right.
     if (!told) {
-      const task = paragraph("Do:", step.do);
+      const task = paragraph(say("lesson-do"), step.do);
       task.className = "softrod-lesson-do";
       task.tabIndex = -1;
       text.append(task);
-      if (step.watch) text.append(paragraph("Watch:", step.watch));
+      if (step.watch) text.append(paragraph(say("lesson-watch"), step.watch));
     }
     text.append(...(more.done ?? []));
     if (told) text.append(answered(question, run));
   }
   const foot = make("div", "softrod-lesson-foot");
-  const back = makeButton("Back", () => run.enter(at - 1));
+  const back = makeButton(say("lesson-back"), () => run.enter(at - 1));
   back.disabled = at === 0;
-  const again = makeButton("Start again", () => run.again());
-  again.title = "begin this step again";
+  const again = makeButton(say("lesson-again"), () => run.again());
+  again.title = say("lesson-again.hint");
   foot.append(back, again, primary(run));
   return { parts: [head, text], foot };
 }

@@ -15,6 +15,7 @@ from ...ui.board import Board, dials_of
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
+from ...words import say
 from ..instruments.feature import InstrumentsFeature
 from ..measure.feature import MeasureFeature
 from ..measure.messages import Seen
@@ -72,8 +73,7 @@ class LessonFeature(Feature):
         page, lesson = self.page, self.session.scene.lesson
         if not page.is_in_class and lesson not in (None, self._said_closed) and page.is_closed(lesson):
             self._said_closed = lesson
-            text = "Here is its body alone; the steps come with the class."
-            page.notify(Notice("info", "A class goes through this lesson now", text))
+            page.notify(Notice("info", say("lesson-closed"), say("lesson-closed.text")))
         if self._panel is None:
             self._restore_tools()
             return

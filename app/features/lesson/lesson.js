@@ -9,6 +9,7 @@ import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make } from "../../ui/dialog.js";
 import { perform } from "../../wire/perform.js";
 import { kept, store } from "../../ui/kept/storage.js";
+import { say } from "../../words/words.js";
 import { LessonRun } from "./run.js";
 
 /** Under this name the tab stores `{lesson, at, answers, told}`: each step's choice, and whether the right one was revealed. */
@@ -96,7 +97,7 @@ function beginPresent() {
 /** Makes the card of lessons, and keeps it in its place in the panel, which viser makes again now and then. */
 function begin() {
   card = make("section", "softrod-lesson");
-  card.ariaLabel = "Lesson";
+  card.ariaLabel = say("lesson-card");
   onMessage("lesson", take);
   onMessage("pageState", beginPresent);
   setInterval(() => {

@@ -16,6 +16,7 @@ from ...session import commands
 from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...ui.page import Page
+from ...words import say
 from ..measure.plot_list import PlotList
 from .messages import BeginStep, LessonStep
 from .messages import Lesson as LessonState
@@ -91,7 +92,7 @@ class LessonPanel:
             waits = lesson.steps[begin.step].question is not None and begin.how == "wait"
             scene = (scene_of_step if waits else scene_of_run)(base, begin.step)
         except SettingError as error:
-            self._page.notify(Notice("error", "This step cannot begin", str(error)))
+            self._page.notify(Notice("error", say("lesson-fails"), str(error)))
             return
         step = lesson.steps[begin.step]
         session.post(commands.Open(scene, begun=True, waits=waits))

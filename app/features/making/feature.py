@@ -27,13 +27,7 @@ class MakingFeature(Feature):
 
     messages: ClassVar = {Prepare: "edit"}
     commands: ClassVar = {
-        "lesson": Row(
-            "Make a lesson",
-            _open,
-            hint="steps with a question, a goal, sliders and plots",
-            needs="edit",
-            share=("Make a lesson", viser.Icon.LIST_CHECK),
-        ),
+        "lesson": Row(_open, needs="edit", share=viser.Icon.LIST_CHECK),
     }
 
     def __init__(self, page: Page) -> None:

@@ -27,6 +27,7 @@ from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
+from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
 
@@ -240,8 +241,8 @@ class LessonMaker:
 
     def _offers(self) -> LessonOffers:
         scene, measured = self._session.scene, self._measured()
-        choices = [(key, choice.label) for key, choice in CHOICES.items() if choice.applies(scene)]
-        sliders = [(setting.key, setting.label) for setting in settings_of(scene)]
+        choices = [(key, label_of_choice(key)) for key, choice in CHOICES.items() if choice.applies(scene)]
+        sliders = [(setting.key, label_of(setting)) for setting in settings_of(scene)]
         wanted = lesson.settings_to_set(scene, scene, self._session.opened)
         return LessonOffers(
             parts=(
@@ -255,7 +256,7 @@ class LessonMaker:
                 for of in PARTS
             },
             controls=tuple(LessonControl(*each) for each in (*sliders, *choices)),
-            methods={REFERENCE: "Reference", **{name: method.label for name, method in METHODS.items()}},
+            methods={REFERENCE: "Reference", **options_of("method")},
             settings=describe_settings(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
             plots=measured.plots,
             arrows=self._arrows,
@@ -281,10 +282,10 @@ def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:
     for key in sorted(values, key=lambda key: order.index(key) if key in order else len(order)):
         value = values[key]
         if key in CHOICES:
-            words.append(f"{CHOICES[key].label}: {CHOICES[key].options.get(value, value)}")
+            words.append(f"{label_of_choice(key)}: {options_of(key).get(value, value)}")
         elif key in known and math.isfinite(number := _number(value)):
             unit = known[key].unit.replace("px", scene.view.unit)
-            words.append(f"{known[key].label} {number:.6g} {unit}".rstrip())
+            words.append(f"{label_of(known[key])} {number:.6g} {unit}".rstrip())
         else:
             words.append(f"{key} {value}")
     return ", ".join(words)

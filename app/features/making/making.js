@@ -11,6 +11,7 @@ import { beginNextAt } from "../lesson/lesson.js";
 import { box } from "./fields.js";
 import { StepForm } from "./step_form.js";
 import { MAX_STEPS, StepList } from "./step_list.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").LessonForm} LessonForm */
 
@@ -92,10 +93,10 @@ class MakingForm {
 
   /** @param {"undo" | "redo"} command */
   historyButton(command) {
-    const { icon, word = "" } = COMMANDS[command];
+    const { icon, word, label } = COMMANDS[command];
     const button = this.button("", () => send({ do: "perform", command }), "softrod-making-icon");
     button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${icon}"/></svg>`;
-    button.ariaLabel = word;
+    button.ariaLabel = say(word ?? label);
     return button;
   }
 

@@ -32,9 +32,7 @@ class MeasureFeature(Feature):
 
     messages: ClassVar = {Pick: "", Seen: "", FirstPlot: "measure", InView: "measure"}
     commands: ClassVar = {
-        "plot": Row(
-            "Plot the joint's angle", _plot_angle, ("G",), "plot the angle of the joint", needs="measure"
-        ),
+        "plot": Row(_plot_angle, ("G",), needs="measure"),
     }
     controls: ClassVar = {"measure": "the Measure tab"}
 

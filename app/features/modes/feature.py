@@ -87,16 +87,9 @@ class ModesFeature(Feature):
 
     messages: ClassVar = {messages.PutMode: "modes", messages.DriveMode: "modes"}
     commands: ClassVar = {
-        "modes": Row(
-            "Modes", ShowModes(), ("V",),
-            "modes: how the body can swing, and how much of each is in its motion",
-            hint="how the body can swing, and how much of each is in its motion", needs="modes",
-        ),
-        "mute": Row(
-            "Sound of the modes, or silence", "page", ("M",), "the sound of the modes, or silence",
-            needs="modes",
-        ),
-    }  # fmt: skip
+        "modes": Row(ShowModes(), ("V",), needs="modes"),
+        "mute": Row("page", ("M",), needs="modes"),
+    }
     controls: ClassVar = {"modes": "the strip of modes, in the View menu"}
 
     def __init__(self, page: Page) -> None:

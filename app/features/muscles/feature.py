@@ -16,11 +16,8 @@ class MusclesFeature(Feature):
 
     commands: ClassVar = {
         "muscle": Row(
-            "Muscle",
             commands.Change(lambda moment, selected: toggle_muscles(moment.scene, selected)),
             ("U",),
-            "selected springs and joints become muscles, or are none any more",
-            hint="Springs and joints that move to a beat; again, and they are none any more",
             needs="edit",
         ),
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 from typing import TYPE_CHECKING, ClassVar
 
 import viser
@@ -14,6 +15,7 @@ from ...ui.board import Board, dials_of, main_settings
 from ...ui.commands import Row
 from ...ui.feature import Feature
 from ...ui.page import Page
+from ...words import say
 from .panel import LAST, PlayPanel
 
 if TYPE_CHECKING:
@@ -34,12 +36,9 @@ class PlayFeature(Feature):
     """The Play tab of a page, if it has any of its controls."""
 
     commands: ClassVar = {
-        "follow": Row(
-            "Follow the pointer, or stop", _follow, ("F",),
-            "the ringed mass follows the pointer, or stops following",
-        ),
-        "ownBody": Row("The body's own values", commands.RestoreSceneValues("body")),
-    }  # fmt: skip
+        "follow": Row(_follow, ("F",)),
+        "ownBody": Row(commands.RestoreSceneValues("body")),
+    }
     controls: ClassVar = {
         "about": "what the scene shows, in words",
         "follow": "the switch that has the ringed mass follow the pointer",
@@ -93,19 +92,17 @@ class PlayFeature(Feature):
         gui = self.page.client.gui
         with tab:
             if not moves:
-                nothing = "Every mass of this scene is held."
-                if "edit" in self.page.controls:
-                    nothing += " Press Edit (E) to build more, or select a mass and let it go."
+                nothing = say("play-held.edit") if "edit" in self.page.controls else say("play-held")
                 self._board.add_handles(
-                    gui.add_html(f'<div class="softrod-text">{nothing}</div>', order=LAST + 3)
+                    gui.add_html(f'<div class="softrod-text">{html.escape(nothing)}</div>', order=LAST + 3)
                 )
                 return
-            folder = gui.add_folder("More numbers", order=LAST + 3, expand_by_default=False)
+            folder = gui.add_folder(say("play-more"), order=LAST + 3, expand_by_default=False)
         self._board.add_sliders(folder, others)
         self._board.add_choices(folder, choices, LAST - len(BODY_CHOICES))
         with folder:
             own_values = self.page.button(
-                "Scene's own values",
+                say("play-own"),
                 viser.Icon.RESTORE,
                 lambda: self.session.post(commands.RestoreSceneValues("body")),
                 order=LAST,

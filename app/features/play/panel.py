@@ -13,6 +13,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...ui.viser.look import describe_control
+from ...words import say
 from ..gallery.thumbnails import MADE
 
 LAST = 1e6
@@ -33,12 +34,12 @@ class PlayPanel:
         self._edits_texts = "edit" in controls
         self._chooser = self._about = self._follow = self._readout = None
         if "chooser" in controls:
-            hint = "choose another scene (key O)"
+            hint = say("play-scene.hint")
             icon, press = viser.Icon.LAYOUT_GRID, partial(page.perform, "gallery")
-            self._chooser = page.button("Scene", icon, press, hint=hint, order=1)
+            self._chooser = page.button(say("play-scene"), icon, press, hint=hint, order=1)
             press = partial(page.perform, "anew")
             again = page.button(
-                "Open anew", viser.Icon.REFRESH, press, hint="open this scene anew", order=1.5
+                say("play-anew"), viser.Icon.REFRESH, press, hint=say("play-anew.hint"), order=1.5
             )
             describe_control(page.mail, again, place="beside")
         if "about" in controls:
@@ -46,7 +47,9 @@ class PlayPanel:
             describe_control(page.mail, self._about, place="below")
         # Between them are the sliders that make most of the scene.
         if "follow" in controls:
-            follow = gui.add_checkbox("Follow the pointer", initial_value=False, hint="key F", order=LAST)
+            follow = gui.add_checkbox(
+                say("play-follow"), initial_value=False, hint=say("play-follow.hint"), order=LAST
+            )
             on_change(follow, lambda: session.post(commands.Follow(follow.value)))
             self._follow = follow
         if "angle" in controls and "measure" not in controls:  # it stands in the Measure tab
@@ -57,7 +60,7 @@ class PlayPanel:
         if self._chooser is not None:
             self._chooser.label = shown_name(scene)
             picture = scene.name if scene.name in MADE else ""
-            note = "Choose another scene"
+            note = say("play-scene.note")
             describe_control(self._mail, self._chooser, place="card", note=note, picture=picture)
         if self._about is not None:
             self._about.content = readouts.description(scene, self._edits_texts)

@@ -19,7 +19,7 @@ from ...session.finish import finish_of
 from ...session.pacing import is_large
 from ...session.session import Command, Refresh, Session
 from ...ui.commands import Row
-from ...ui.feature import Drawn, Feature, LongText
+from ...ui.feature import Drawn, Feature
 from ...ui.opening import asked_scene
 from ...ui.page import Page
 from .messages import Race, RaceAnswer
@@ -73,16 +73,11 @@ class LeaveRace(Command):
 class RaceFeature(Feature):
     """Finds a page's rivals, and reports how far each body has come."""
 
-    texts: ClassVar = {"rival": LongText(needs="chooser", verb="raced against")}
+    texts: ClassVar = {"rival": "chooser"}
     commands: ClassVar = {
-        "race": Row(
-            "Race against another body", "page", ("A",),
-            "race against another body; in a race, start again",
-            hint="all on this terrain, started together", needs="chooser",
-            share=("Race against …", viser.Icon.FLAG),
-        ),
-        "leaveRace": Row("Leave the race", LeaveRace(), needs="chooser"),
-    }  # fmt: skip
+        "race": Row("page", ("A",), needs="chooser", share=viser.Icon.FLAG),
+        "leaveRace": Row(LeaveRace(), needs="chooser"),
+    }
 
     def __init__(self, page: Page) -> None:
         super().__init__(page)

@@ -15,6 +15,7 @@ import { redrawMarks } from "../../stage/sight.js";
 import { theGallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
@@ -23,7 +24,7 @@ const COUNT = 700;
 /** Milliseconds between two readings for a screen reader. */
 const READ_EVERY = 3000;
 /** The group of presets that move by themselves. */
-const MOVING = "Muscles";
+const MOVING = say("gallery-muscles");
 const RULE =
   "All start together, on this body's terrain, and the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
 

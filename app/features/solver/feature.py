@@ -31,9 +31,9 @@ class SolverFeature(Feature):
     """The Solver tab of a page, if it has one."""
 
     commands: ClassVar = {
-        "energy": Row("Energy: follow it, or stop", _energy, needs="solver"),
-        "foretell": Row("Predictability: measure it, or stop", _foretell, needs="solver"),
-        "ownSolver": Row("The solver's own values", commands.RestoreSceneValues("solver")),
+        "energy": Row(_energy, needs="solver"),
+        "foretell": Row(_foretell, needs="solver"),
+        "ownSolver": Row(commands.RestoreSceneValues("solver")),
     }
     controls: ClassVar = {"solver": "the Solver tab"}
 

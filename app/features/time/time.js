@@ -9,6 +9,7 @@ import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 import { barOf } from "./span.js";
+import { say } from "../../words/words.js";
 
 /** Three dots: on a phone they show the rest of the bar. */
 const MORE = "M5 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM12 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM19 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6z";
@@ -26,11 +27,14 @@ const CLOCK_EVERY = 100;
  */
 
 /** @param {CommandName} does @returns {Face} */
-const faceOf = (does) => ({ icon: COMMANDS[does].icon ?? "", word: COMMANDS[does].word ?? "", name: COMMANDS[does].label, does });
+function faceOf(does) {
+  const { icon = "", word, label } = COMMANDS[does];
+  return { icon, word: word ? say(word) : "", name: say(label), does };
+}
 
 const FACES = {
-  play: { ...faceOf("play"), word: "Play", name: "Play" },
-  goOn: { ...faceOf("play"), word: "Go on", name: "Go on from here" },
+  play: { ...faceOf("play"), word: say("command-run"), name: say("command-run") },
+  goOn: { ...faceOf("play"), word: say("time-go-on.word"), name: say("time-go-on") },
   pause: { ...faceOf("pause"), does: /** @type {const} */ ("play") },
   reset: faceOf("reset"),
   second: faceOf("second"),
@@ -61,7 +65,7 @@ function iconButton(face, press) {
 
 /** @param {CommandName} command */
 const offerButton = (command) =>
-  makeButton(COMMANDS[command].word ?? COMMANDS[command].label, () => perform(command), "softrod-offer");
+  makeButton(say(COMMANDS[command].word ?? COMMANDS[command].label), () => perform(command), "softrod-offer");
 
 /** @type {Record<string, string>} */
 const SPEED_TEXTS = FRACTIONS;
@@ -71,8 +75,8 @@ const speedText = (speed) => `${SPEED_TEXTS[speed] ?? speed}×`;
 /** The list of speeds. */
 function speedBox() {
   const select = make("select", "");
-  select.ariaLabel = "Speed";
-  select.title = "Simulated seconds per second";
+  select.ariaLabel = say("time-speed");
+  select.title = say("time-speed.hint");
   for (const value of SPEEDS) select.add(new Option(speedText(value), String(value)));
   select.addEventListener("change", () => {
     send({ do: "speed", speed: Number(select.value) });
@@ -97,7 +101,7 @@ function timeSlider() {
   const slider = make("input", "");
   slider.type = "range";
   slider.step = "any";
-  slider.ariaLabel = "Time shown";
+  slider.ariaLabel = say("time-shown");
   let held = false;
   let asked = false;
   let wanted = 0;
@@ -143,7 +147,7 @@ function timeSlider() {
     slider.max = String(last);
     const comes = now === put.at && performance.now() < put.until && !pageState().playing;
     if (!held && !comes) slider.value = String(bar.position(now));
-    slider.ariaValueText = `${now.toFixed(2)} seconds`;
+    slider.ariaValueText = say("time-shown.said", { seconds: now.toFixed(2) });
   };
   return { element: slider, show };
 }
@@ -157,8 +161,8 @@ function offers() {
     const { offer, future, scrubbed, start = 0 } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
-    const lost = scrubbed && start > 0 ? `Of the time before ${start.toFixed(1)} s too much happened to be kept.` : "";
-    past.textContent = future ? "The thin line is what happened before you went back." : lost;
+    const lost = scrubbed && start > 0 ? say("time-lost", { seconds: start.toFixed(1) }) : "";
+    past.textContent = future ? say("time-past") : lost;
   };
   return { element: line, show };
 }
@@ -167,7 +171,7 @@ function offers() {
 function begin() {
   const bar = make("div", "softrod-transport softrod-floats");
   bar.setAttribute("role", "toolbar");
-  bar.ariaLabel = "Time";
+  bar.ariaLabel = say("time-bar");
   const reset = iconButton(FACES.reset, () => perform("reset"));
   const second = iconButton(FACES.second, () => perform("second"));
   second.classList.add("softrod-second");
@@ -180,7 +184,7 @@ function begin() {
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
   const more = makeButton("", () => (more.ariaExpanded = String(bar.toggleAttribute("data-more"))), "softrod-more");
   more.innerHTML = iconHtml(MORE);
-  more.ariaLabel = more.title = "More of time";
+  more.ariaLabel = more.title = say("time-bar.more");
   more.ariaExpanded = "false";
   bar.append(reset, second, back, play, forward, time.element, clock, speed.element, more);
   const dock = make("div", "softrod-dock");

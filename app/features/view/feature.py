@@ -10,6 +10,7 @@ from ...ui import readouts
 from ...ui.commands import Row, key_lines
 from ...ui.feature import Feature
 from ...ui.viser.handlers import on_press
+from ...words import say
 
 
 def _toggle(look: Literal["dark", "gizmos", "meter"]) -> Callable[[Session, Feature], None]:
@@ -18,9 +19,9 @@ def _toggle(look: Literal["dark", "gizmos", "meter"]) -> Callable[[Session, Feat
 
 def _show_help(_: Session, feature: Feature) -> None:
     gui = feature.page.client.gui
-    with gui.add_modal("How to use softrod") as modal:
+    with gui.add_modal(say("view-help")) as modal:
         gui.add_html(readouts.help_html(key_lines(feature.page.commands)))
-        on_press(gui.add_button("Close"), modal.close)
+        on_press(gui.add_button(say("ui-close")), modal.close)
 
 
 class ViewFeature(Feature):
@@ -31,22 +32,12 @@ class ViewFeature(Feature):
         "view": "the other entries of the View menu",
     }
     commands: ClassVar = {
-        "fit": Row("Show the whole scene", "page", ("0",), "show the whole scene"),
-        "chase": Row(
-            "Camera goes with the body", "page", hint="with both, in a race; pan and zoom as ever",
-            needs="view",
-        ),
-        "larger": Row("Larger, for a projector", "page", ("P",), "larger, for a projector"),
-        "dark": Row("Dark", _toggle("dark"), needs="view"),
-        "meter": Row(
-            "Stability bar", _toggle("meter"), hint="always, not only where the time step is near its limit",
-            needs="view",
-        ),
-        "gizmos": Row(
-            "Arrows at held masses", _toggle("gizmos"), hint="to drag them along one axis", needs="view"
-        ),
-        "palette": Row(
-            "Find anything", "page", ("Ctrl K",), "find commands, controls and scenes", palette=False
-        ),
-        "help": Row("Help", _show_help, needs="help"),
-    }  # fmt: skip
+        "fit": Row("page", ("0",)),
+        "chase": Row("page", needs="view"),
+        "larger": Row("page", ("P",)),
+        "dark": Row(_toggle("dark"), needs="view"),
+        "meter": Row(_toggle("meter"), needs="view"),
+        "gizmos": Row(_toggle("gizmos"), needs="view"),
+        "palette": Row("page", ("Ctrl K",), palette=False),
+        "help": Row(_show_help, needs="help"),
+    }

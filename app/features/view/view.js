@@ -5,6 +5,7 @@ import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
+import { keyOf } from "../../ui/hands/key_table.js";
 import { openFinder } from "../../ui/gui/finder.js";
 import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
@@ -13,6 +14,7 @@ import { kept, store } from "../../ui/kept/storage.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { isDark } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 /** Key under which the browser's tab stores that the page is dark. */
 const DARK = "softrod-dark";
@@ -46,12 +48,12 @@ class ViewMenu {
     this.list = make("div", "softrod-menu-list softrod-floats");
     this.list.id = "softrod-menu-list";
     this.list.setAttribute("role", "menu");
-    this.list.ariaLabel = "View";
+    this.list.ariaLabel = say("view-menu");
     this.list.hidden = true;
     this.lid = makeButton("", () => this.open(this.list.hidden === true), "softrod-menu-lid softrod-floats");
-    this.lid.innerHTML = iconHtml(ICON, "View");
-    this.lid.ariaLabel = "View";
-    this.lid.title = "View: dark, projector, help and more";
+    this.lid.innerHTML = iconHtml(ICON, say("view-menu"));
+    this.lid.ariaLabel = say("view-menu");
+    this.lid.title = say("view-menu.hint");
     this.lid.ariaHasPopup = "menu";
     this.lid.ariaExpanded = "false";
     this.lid.setAttribute("aria-controls", this.list.id);
@@ -70,11 +72,11 @@ class ViewMenu {
       // Return keyboard focus to the canvas, unless the user goes by keys.
       if (byKeys) this.lid.focus();
     }, "");
-    const { label, hint = "", shown: key = "" } = COMMANDS[entry.name];
-    item.append(make("span", "softrod-menu-mark"), make("span", "", label), make("kbd", "", key));
+    const { label, hint } = COMMANDS[entry.name];
+    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), make("kbd", "", keyOf(entry.name)));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
-    item.title = hint;
+    item.title = hint ? say(hint) : "";
     this.list.append(item);
     return item;
   }

@@ -47,6 +47,7 @@ from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
 from ...words import language, say
+from ...words.settings import label_of, label_of_choice, options_of
 
 MAX_REQUESTS = 20
 """Requests of one page that are served in a frame."""
@@ -185,7 +186,7 @@ class ClassTab:
 
     def stop(self) -> None:
         """See `Ticked`."""
-        title, text = STOPPED
+        title, text = map(say, STOPPED)
         self._mail.send(messages.Remark(title=title, text=text))
         self.flush()
 
@@ -338,15 +339,17 @@ def _dials(keys: tuple[str, ...], scene: sim.Scene) -> list[messages.Dial]:
 
 
 def _list(choice: Choice, key: str, scene: sim.Scene, sets: tuple[str, ...]) -> messages.Dial:
-    options = tuple((value, str(word)) for value, word in choice.options.items())
-    return messages.Dial(key=key, label=choice.label, value=choice.read(scene), options=options, sets=sets)
+    options = tuple((value, str(word)) for value, word in options_of(key).items())
+    return messages.Dial(
+        key=key, label=label_of_choice(key), value=choice.read(scene), options=options, sets=sets
+    )
 
 
 def _slider(setting: Setting, scene: sim.Scene, sets: tuple[str, ...]) -> messages.Dial:
     low, high = setting.slider
     return messages.Dial(
         key=setting.key,
-        label=setting.label,
+        label=label_of(setting),
         unit=setting.unit.replace("px", scene.view.unit),
         low=low,
         high=high,

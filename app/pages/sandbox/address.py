@@ -13,6 +13,7 @@ from ...session.notices import Notice
 from ...ui import controls
 from ...ui.controls import Controls
 from ...ui.opening import asked_scene
+from ...words import say
 from .features import CONTROLS
 
 
@@ -55,5 +56,5 @@ class PageAddress:
         try:
             return find(source)
         except InputError as error:
-            self._notify(Notice("error", "All controls are shown", str(error)))
+            self._notify(Notice("error", say("ui-all-controls"), str(error)))
             return None

@@ -25,14 +25,12 @@ import { addUnderlay } from "../../stage/underlay.js";
 import * as seen from "../../ui/viser/seen.js";
 import { isKnown, project, render, viserCanvas, whenViser } from "../../ui/viser/viser.js";
 import { onMessage, send } from "../../wire/channel.js";
+import { say } from "../../words/words.js";
 import { FEATURES } from "./features.js";
 
 /** Seconds within which viser's page makes its hook, if ever. */
 const PATIENCE = 20;
 
-const FAULT = "This page cannot draw: its viser page is not the version that softrod supports.";
-const NO_WEBGL =
-  "softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.";
 identify();
 takeLink();
 keepAddress();
@@ -53,7 +51,7 @@ let late;
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
-    showFault(FAULT);
+    showFault(say("ui-other-viser"));
     return;
   }
   endLoading();
@@ -87,8 +85,8 @@ whenViser((viser) => {
   Object.assign(window, { __softrod: tested });
 });
 if (canDraw()) {
-  late = setTimeout(() => showFault(FAULT), 1e3 * PATIENCE);
+  late = setTimeout(() => showFault(say("ui-other-viser")), 1e3 * PATIENCE);
   beginViser();
 } else {
-  showFault(NO_WEBGL);
+  showFault(say("ui-needs-webgl"));
 }

@@ -10,19 +10,16 @@ from ...session.notices import Notice
 from ...ui.feature import Feature
 from ...ui.kept import keeping
 from ...ui.page import Page
-from ...ui.queues import TOO_MUCH, SerialQueue
+from ...ui.queues import SerialQueue, too_much
 from ...wire import from_page
 from ...wire.to_page import Resumed
+from ...words import find, say
 
 MAX_UNFINISHED = 6_000_000
 """Characters of unfinished texts that one page may have sent: slightly more than the longest text."""
 
-TOO_LONG = "It is too large for a page to send: at most 4.7 MB, which is some 11,000 masses."
-
-VERBS = {"resume": "resumed"}
-"""What is done with long texts of no feature, as `LongText.verb`."""
-
-"""A comma that may be a decimal comma or separate thousands; the page's script does not read such numbers."""
+OWN_TEXTS = ("resume",)
+"""Kinds of long texts of no feature."""
 
 
 class RequestHandler:
@@ -57,16 +54,16 @@ class RequestHandler:
 
     def take(self, part: from_page.Part) -> None:
         """Add a part to its text, and handle the text once it is complete."""
-        if part.kind not in VERBS and part.kind not in self._readers:
+        if part.kind not in OWN_TEXTS and part.kind not in self._readers:
             return
         letters = self._chunks[part.kind].add(part.number, part.of, part.letters)
         if letters is None:
             if sum(text.size for text in self.unfinished) > MAX_UNFINISHED:
                 self._chunks.clear()
-                self._page.notify(TOO_MUCH)
+                self._page.notify(too_much())
             return
         if (reader := self._readers.get(part.kind)) is not None:
-            needs = reader.texts[part.kind].needs
+            needs = reader.texts[part.kind]
             if not needs or needs in self._page.controls:
                 self._queue.submit(reader.read, part.kind, letters)
         elif part.kind == "resume":
@@ -76,14 +73,10 @@ class RequestHandler:
                 # Nothing can be restored, but the page need not send it again.
                 self._page.mail.send(Resumed())
 
-    def _verb(self, kind: str) -> str:
-        """What is done with long texts of a kind, as `LongText.verb`."""
-        reader = self._readers.get(kind)
-        return reader.texts[kind].verb if reader is not None else VERBS.get(kind, "sent")
-
     def _answer(self, ask: from_page.Ask) -> None:
         match ask:
             case from_page.Who():
                 self._page.shelf.introduce(ask)
             case from_page.Unsent(what):
-                self._page.notify(Notice("error", f"That cannot be {self._verb(what)}", TOO_LONG))
+                title = find(f"ui-unsent-{what}", say("ui-unsent"))
+                self._page.notify(Notice("error", title, say("ui-unsent.text")))

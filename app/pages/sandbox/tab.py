@@ -44,7 +44,7 @@ from ...wire import from_page
 from ...wire.carrier import Mail, by_viser, listen
 from ...wire.messages import Ask, FromPage, messages
 from ...wire.to_page import Hud, Keepsake, PageState, Run
-from ...words import language
+from ...words import language, say
 from .address import PageAddress
 from .features import COMMANDS, FEATURES
 from .page_panel import PagePanel
@@ -122,7 +122,7 @@ class Tab:
 
     def stop(self) -> None:
         """See `Ticked`."""
-        title, text = STOPPED
+        title, text = map(say, STOPPED)
         self.client.add_notification(title, text, color="red")
         self.client.flush()
 
@@ -373,7 +373,7 @@ class Tab:
         if gallery is not None and "chooser" in self._page.controls:
             gallery.offer(why)
         else:
-            self.notify(Notice("error", "That address has no scene", why))
+            self.notify(Notice("error", say("ui-no-scene"), why))
 
     def _resume(self, saved: keeping.SavedPage) -> None:
         """Restore a saved state; the plots first, since they are made when the body is built."""

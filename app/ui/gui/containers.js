@@ -1,6 +1,7 @@
 // @ts-check
 /** Controls that hold others: folders and tabs. */
 import { make, makeButton } from "../dialog.js";
+import { language } from "../../words/words.js";
 import { Control, newId, Place, setText } from "./control.js";
 
 /** @typedef {import("./control.js").Declared} Declared */
@@ -52,7 +53,8 @@ class Folder extends Control {
   /** Tells what is in it, while it is closed. */
   tell() {
     const names = this.place.members.filter(({ name, element }) => name && !element.hidden).map(({ name }) => name);
-    const words = names.map((name) => `${name.slice(0, 1).toLowerCase()}${name.slice(1)}`);
+    // In English a list goes on in small letters; in German nouns keep their capitals.
+    const words = language === "en" ? names.map((name) => `${name.slice(0, 1).toLowerCase()}${name.slice(1)}`) : names;
     let said = words[0] ?? "";
     let count = 1;
     while (count < words.length && said.length + words[count].length < TOLD) said += `, ${words[count++]}`;

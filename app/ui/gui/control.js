@@ -7,6 +7,7 @@
 import { answer, send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
 import { grouped } from "../numerals.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {object} Declared a message that declares a control
@@ -73,7 +74,7 @@ export class Control {
   /** Its value in words; empty without one that a word says. */
   get saying() {
     const { value, look } = this;
-    if (typeof value === "boolean") return value ? "on" : "off";
+    if (typeof value === "boolean") return say(value ? "ui-on" : "ui-on.off");
     if (typeof value === "number") return `${grouped(value)}${look.unit && look.unit !== "°" ? " " : ""}${look.unit ?? ""}`;
     return typeof value === "string" && this.props.options ? value : "";
   }

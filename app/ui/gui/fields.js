@@ -1,6 +1,7 @@
 // @ts-check
 /** Controls with a value: sliders, numbers, switches, lists, texts, buttons; and what is only shown. */
 import { make, makeButton } from "../dialog.js";
+import { say } from "../../words/words.js";
 import { Control, newId, setText, visit } from "./control.js";
 import { NumberBox } from "./numbers.js";
 
@@ -344,7 +345,7 @@ class Progress extends Control {
     super(declared, "softrod-progress");
     this.bar = make("progress", "");
     this.bar.max = 100;
-    this.bar.ariaLabel = "Progress";
+    this.bar.ariaLabel = say("ui-progress");
     this.element.append(this.bar);
   }
 

@@ -2,6 +2,7 @@
 /** "Find anything": commands, the controls of the panel with their values, and scenes, by parts of their names. */
 import { answer, takeOver } from "../../wire/channel.js";
 import { iconHtml, make } from "../dialog.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {object} Found
@@ -68,22 +69,22 @@ class Finder {
     this.found = [];
     this.at = 0;
     this.dialog = make("dialog", "softrod-dialog softrod-finder");
-    this.dialog.ariaLabel = "Find anything";
+    this.dialog.ariaLabel = say("command-palette");
     this.input = make("input", "softrod-finder-input");
     this.input.type = "text";
-    this.input.placeholder = "Find anything";
+    this.input.placeholder = say("command-palette");
     this.input.autocomplete = "off";
     this.input.spellcheck = false;
     this.input.setAttribute("role", "combobox");
     this.input.setAttribute("aria-controls", "softrod-found");
     this.input.ariaExpanded = "true";
-    this.input.ariaLabel = "Find anything";
+    this.input.ariaLabel = say("command-palette");
     this.list = make("div", "softrod-found");
     this.list.id = "softrod-found";
     this.list.setAttribute("role", "listbox");
-    this.list.ariaLabel = "Found";
-    this.none = make("p", "softrod-none", "Nothing is called this. What belongs to a mass, a spring or a joint is found once one is selected.");
-    const keys = make("kbd", "softrod-found-key", "Esc");
+    this.list.ariaLabel = say("ui-found");
+    this.none = make("p", "softrod-none", say("ui-found.none"));
+    const keys = make("kbd", "softrod-found-key", say("key-esc"));
     keys.ariaHidden = "true";
     const head = make("div", "softrod-finder-head");
     head.append(this.input, keys);

@@ -2,6 +2,7 @@
 /** Notices of the server, over the bar of time. One stays while the pointer or the focus is on it. */
 import { takeOver } from "../../wire/channel.js";
 import { make, makeButton, overCanvas } from "../dialog.js";
+import { say } from "../../words/words.js";
 
 /** Notices that are shown at a time; older ones go. */
 const MAX_SHOWN = 3;
@@ -32,7 +33,7 @@ export function takeNotices() {
     const text = make("div", "softrod-notice-text");
     text.append(make("strong", "softrod-notice-title", title), make("p", "softrod-notice-body", body));
     const close = makeButton("×", () => remove(id), "softrod-close");
-    close.ariaLabel = "Close";
+    close.ariaLabel = say("ui-close");
     notice.append(text, close);
     const tops = [...document.querySelectorAll(BELOW)].map((element) => element.getBoundingClientRect()).filter(({ height }) => height);
     list.style.setProperty("--softrod-above", `${innerHeight - Math.min(innerHeight, ...tops.map(({ top }) => top)) + GAP}px`);

@@ -6,6 +6,7 @@
  */
 import { grouped } from "../numerals.js";
 import { make, makeButton } from "../dialog.js";
+import { say } from "../../words/words.js";
 import { visit } from "./control.js";
 
 /** Milliseconds without a key before the number is set. */
@@ -55,13 +56,13 @@ export function whyNot(text, { low, high, unit }) {
   const number = readNumber(text);
   const written = text.trim().slice(0, SHOWN);
   if (AMBIGUOUS.test(written)) {
-    return `${written} could be ${Number(written.replace(",", "."))} or ${written.replace(/[,.]/, "")}. Write one of these.`;
+    return say("ui-number-unclear", { written, one: String(Number(written.replace(",", "."))), other: written.replace(/[,.]/, "") });
   }
-  if (Number.isNaN(number)) return `“${written}” is not a number. Write one as 20000, 2e4 or 0.05.`;
+  if (Number.isNaN(number)) return say("ui-number-none", { written });
   /** @param {number} bound */
   const said = (bound) => `${grouped(bound)}${unit && unit !== "°" ? " " : ""}${unit}`;
-  if (low !== null && number < low) return `At least ${said(low)}.`;
-  if (high !== null && number > high) return `At most ${said(high)}.`;
+  if (low !== null && number < low) return say("ui-number-least", { least: said(low) });
+  if (high !== null && number > high) return say("ui-number-most", { most: said(high) });
   return "";
 }
 
@@ -91,7 +92,7 @@ export class NumberBox {
     this.input.setAttribute("role", "spinbutton");
     // The keypad of some phones has no minus.
     this.sign = makeButton("\u00b1", () => this.turn(), "softrod-sign");
-    this.sign.ariaLabel = "Change the sign";
+    this.sign.ariaLabel = say("ui-number-sign");
     this.sign.tabIndex = -1;
     this.sign.hidden = true;
     this.sign.addEventListener("pointerdown", (event) => event.preventDefault()); // the box keeps the focus and its keypad

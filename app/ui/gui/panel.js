@@ -7,6 +7,8 @@ import { perform } from "../../wire/perform.js";
 import { kept, store } from "../kept/storage.js";
 import { foldStrips } from "../strip.js";
 import { iconHtml, make, makeButton, overCanvas } from "../dialog.js";
+import { withKey } from "../hands/key_table.js";
+import { say } from "../../words/words.js";
 import { openFinder } from "./finder.js";
 
 const FIND = "M11 4a7 7 0 1 1 0 14a7 7 0 0 1 0-14zM16 16l4.5 4.5";
@@ -45,22 +47,22 @@ const setRoot = (property, value) => document.documentElement.style.setProperty(
 class Panel {
   constructor() {
     this.element = make("aside", "softrod-panel");
-    this.element.ariaLabel = "Controls";
+    this.element.ariaLabel = say("ui-panel");
     this.element.hidden = true;
     this.controls = make("div", "softrod-controls softrod-root");
     this.handle = makeButton("", () => this.go(this.height === "closed" ? "half" : "closed"), "softrod-handle");
-    this.help = iconButton(HELP, "Help", () => perform("help"));
-    this.fold = iconButton(FOLD, "Hide the panel", () => this.setFolded(true));
-    this.unfolds = iconButton(UNFOLD, "Show the panel", () => this.setFolded(false));
+    this.help = iconButton(HELP, say("command-help"), () => perform("help"));
+    this.fold = iconButton(FOLD, say("ui-panel.hide"), () => this.setFolded(true));
+    this.unfolds = iconButton(UNFOLD, say("ui-panel.show"), () => this.setFolded(false));
     this.unfolds.classList.add("softrod-unfold", "softrod-floats");
-    this.unfolds.append(make("span", "", "Controls"));
+    this.unfolds.append(make("span", "", say("ui-panel")));
     const head = make("div", "softrod-panel-head");
-    head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, "Find anything (Ctrl K)", openFinder), this.help, this.fold);
+    head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, withKey(say("command-palette"), "palette"), openFinder), this.help, this.fold);
     this.element.append(this.handle, head, this.controls);
     // A phone has these over the canvas instead, where they take nothing from the sliders.
     this.scene = makeButton("", () => perform("gallery"), "softrod-scene softrod-floats");
-    this.scene.title = "Choose another scene";
-    this.find = iconButton(FIND, "Find anything", openFinder);
+    this.scene.title = say("command-gallery");
+    this.find = iconButton(FIND, say("command-palette"), openFinder);
     this.find.classList.add("softrod-floats");
     this.over = make("div", "softrod-over");
     this.over.append(this.scene, this.find);
@@ -137,7 +139,7 @@ class Panel {
     const isSheet = SHEET.matches;
     if (this.isEmpty) delete dataset.softrodPanel;
     else dataset.softrodPanel = isSheet ? this.height : this.isFolded ? "folded" : "open";
-    this.handle.ariaLabel = this.height === "closed" ? "Show the controls" : "Hide the controls";
+    this.handle.ariaLabel = say(this.height === "closed" ? "ui-panel.up" : "ui-panel.down");
     this.handle.ariaExpanded = String(this.height !== "closed");
     this.unfolds.hidden = isSheet || this.isEmpty || !this.isFolded;
   }
@@ -150,7 +152,7 @@ class Panel {
       this.scene.dataset.name = title;
       this.scene.replaceChildren(make("span", "", title));
       this.scene.insertAdjacentHTML("beforeend", iconHtml(MORE));
-      this.scene.ariaLabel = `${title}: choose another scene`;
+      this.scene.ariaLabel = say("ui-scene", { title });
     }
     this.find.hidden = this.isEmpty;
     document.documentElement.toggleAttribute("data-softrod-over", SHEET.matches && !(this.scene.hidden && this.find.hidden));

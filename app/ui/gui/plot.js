@@ -6,6 +6,7 @@
 import { makeSvg } from "../../stage/svg.js";
 import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
+import { say } from "../../words/words.js";
 import { Control, newId } from "./control.js";
 
 const TOP = 8;
@@ -211,7 +212,8 @@ export class Plot extends Control {
     });
     this.mark = makeSvg("path", "softrod-chart-mark");
     this.svg.replaceChildren(back, ...parts, ...curves, this.mark);
-    this.svg.setAttribute("aria-label", `${upwards.map(({ label }) => label).join("; ")} over ${axes[0]?.label ?? "time"}`);
+    const lines = upwards.map(({ label }) => label).join("; ");
+    this.svg.setAttribute("aria-label", say("ui-plot", { lines, across: axes[0]?.label ?? say("ui-plot.time") }));
     this.read();
   }
 

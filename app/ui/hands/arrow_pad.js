@@ -3,27 +3,28 @@
 
 import { onMessage } from "../../wire/channel.js";
 import { make, makeButton, overCanvas } from "../dialog.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {"up" | "down" | "left" | "right"} Key */
 
-/** Each key with its name, its place and its sign. @type {[Key, string, string, string][]} */
+/** Each key with its name, its place and its sign. @type {[Key, import("../../words/keys.js").Plain, string, string][]} */
 const KEYS = [
-  ["up", "Up", "1 / 2", "▲"],
-  ["left", "Left", "2 / 1", "◀"],
-  ["down", "Down", "2 / 2", "▼"],
-  ["right", "Right", "2 / 3", "▶"],
+  ["up", "ui-pad.up", "1 / 2", "▲"],
+  ["left", "ui-pad.left", "2 / 1", "◀"],
+  ["down", "ui-pad.down", "2 / 2", "▼"],
+  ["right", "ui-pad.right", "2 / 3", "▶"],
 ];
 
 /** Adds the pad to the page; it is shown on touch screens, with the keys that do anything in the scene. */
 export function addPad() {
   const pad = make("div", "softrod-pad");
   pad.setAttribute("role", "group");
-  pad.ariaLabel = "Arrow keys";
+  pad.ariaLabel = say("ui-pad");
   pad.hidden = true;
   for (const [key, name, place, sign] of KEYS) {
     const button = makeButton(sign, () => {}, "");
     button.dataset.softrodKey = key;
-    button.ariaLabel = name;
+    button.ariaLabel = say(name);
     button.style.gridArea = place;
     pad.append(button);
   }

@@ -8,9 +8,7 @@ import { choose, chosenMass } from "../../stage/overlay.js";
 import { freeHand, takeHand, handAt } from "./hands.js";
 import { KeyHand } from "./key_hand.js";
 import { wireNumber } from "../../stage/screen.js";
-
-/** @param {number} count of broken springs */
-const brokenText = (count) => `${count || "No"} ${count === 1 ? "spring" : "springs"} broken`;
+import { say } from "../../words/words.js";
 
 /** Puts up the stop and the live region. */
 export function addBodyKeys() {
@@ -60,12 +58,12 @@ export function addBodyKeys() {
   let before = pageState();
   onMessage("pageState", () => {
     const now = pageState();
-    stop.ariaLabel = `Body of ${shown().plan?.radius.length ?? 0} masses`;
+    stop.ariaLabel = say("ui-body", { count: shown().plan?.radius.length ?? 0 });
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
-    if (now.offer && !before.offer) news.push("The body exploded and is stopped");
-    else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(now.playing ? "Running" : "Paused");
-    if (before.scene === now.scene && now.broken !== before.broken) news.push(brokenText(now.broken ?? 0));
+    if (now.offer && !before.offer) news.push(say("ui-exploded"));
+    else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(say(now.playing ? "ui-running" : "ui-running.paused"));
+    if (before.scene === now.scene && now.broken !== before.broken) news.push(say("ui-broken", { count: now.broken ?? 0 }));
     if (news.length) live.textContent = news.join(". ");
     before = now;
   });

@@ -4,6 +4,7 @@
  * arrows then move it.
  */
 import { ARROWS } from "./arrow_keys.js";
+import { say } from "../../words/words.js";
 
 /** How far an arrow moves a mass, in units of the world: a hundredth of the scene's frame. */
 const STEP = 0.06;
@@ -30,15 +31,16 @@ export class KeyHand {
     this.body = body;
   }
 
-  get #name() {
-    const count = this.body.count();
-    return count ? `mass ${this.body.chosen()} of 0 to ${count - 1}` : "no mass";
+  /** Says something of the mass that is marked. @param {"ui-mass" | "ui-mass.first" | "ui-mass.held" | "ui-mass.free"} key */
+  #say(key) {
+    const [mass, last] = [this.body.chosen(), this.body.count() - 1];
+    this.body.say(last < 0 ? say("ui-mass.none") : say(key, { mass: String(mass), last: String(last) }));
   }
 
   /** The body gets the focus. @param {number} first the mass to begin with */
   focus(first) {
     this.body.choose(this.#last < 0 ? Math.max(first, 0) : this.#last);
-    this.body.say(`${this.#name}. Arrows choose, Space takes hold`);
+    this.#say("ui-mass.first");
   }
 
   blur() {
@@ -51,7 +53,7 @@ export class KeyHand {
     if (!this.#holds) return;
     this.#holds = false;
     this.body.drop();
-    this.body.say(`${this.#name} let go`);
+    this.#say("ui-mass.free");
   }
 
   /** Begin with the first mass again, as for another scene. */
@@ -66,7 +68,7 @@ export class KeyHand {
     this.#last = Math.min(this.#last, end);
     if (this.body.chosen() <= end) return;
     this.body.choose(end);
-    this.body.say(this.#name);
+    this.#say("ui-mass");
   }
 
   /** @param {KeyboardEvent} event with the focus on the body */
@@ -81,7 +83,7 @@ export class KeyHand {
     } else if (arrow) {
       const count = this.body.count();
       this.body.choose((this.body.chosen() + (arrow[0] - arrow[1] > 0 ? 1 : count - 1)) % count);
-      this.body.say(this.#name);
+      this.#say("ui-mass");
     } else return;
     event.preventDefault();
     event.stopPropagation();
@@ -90,6 +92,6 @@ export class KeyHand {
   #toggle() {
     if (this.#holds) return this.letGo();
     this.#holds = this.body.grab(this.body.chosen());
-    if (this.#holds) this.body.say(`${this.#name} in hand. Arrows move it`);
+    if (this.#holds) this.#say("ui-mass.held");
   }
 }

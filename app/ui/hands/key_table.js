@@ -6,6 +6,7 @@
  * @typedef {import("../../wire/wire.js").CommandName} CommandName
  */
 import { COMMANDS } from "../../wire/commands.js";
+import { say } from "../../words/words.js";
 
 /** What the places of keys have on them on an American keyboard. @type {Record<string, string>} */
 const PLACES = { Space: " ", Comma: ",", Period: "." };
@@ -37,5 +38,23 @@ export function commandOf(event, where = "") {
   return find(key) ?? find(key.replace("shift ", ""));
 }
 
+/** Keys that have names. @type {Record<string, import("../../words/keys.js").Plain>} */
+const NAMED = {
+  Ctrl: "key-ctrl",
+  Shift: "key-shift",
+  Space: "key-space",
+  Esc: "key-esc",
+  Delete: "key-delete",
+  Backspace: "key-backspace",
+  Tab: "key-tab",
+};
+
+/** The first key of a command as the page's language calls it; empty without one. @param {CommandName} command */
+export const keyOf = (command) =>
+  (COMMANDS[command].shown ?? "")
+    .split(" ")
+    .map((key) => (key in NAMED ? say(NAMED[key]) : key))
+    .join(" ");
+
 /** A sentence or a name with the key that does it, for tooltips. @param {string} text @param {CommandName} command */
-export const withKey = (text, command) => (COMMANDS[command].shown ? `${text} (${COMMANDS[command].shown})` : text);
+export const withKey = (text, command) => (keyOf(command) ? say("key-too", { text, key: keyOf(command) }) : text);

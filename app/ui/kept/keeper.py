@@ -11,6 +11,7 @@ from ...session import commands
 from ...session.notices import Notice
 from ...session.plots import PlotSpec
 from ...wire.to_page import Keepsake, Resumed
+from ...words import say
 from ..page import Page
 from . import keeping, undo_store
 
@@ -83,8 +84,7 @@ class Keeper:
         page = self._page
         versions = undo_store.copy_of(saved.undo) if saved.undo else None
         if saved.undo and versions is None:
-            text = "What was changed before the connection was lost can no longer be undone."
-            page.notify(Notice("info", "Undo starts afresh", text))
+            page.notify(Notice("info", say("ui-undo-afresh"), say("ui-undo-afresh.text")))
         page.session.post(commands.Resume(bytes(saved.session), versions))
         page.mail.send(Resumed())
         self.kept = None

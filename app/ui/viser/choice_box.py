@@ -6,6 +6,7 @@ from sim.scene.types import Scene
 from sim.settings import CHOICES
 
 from ...session import commands
+from ...words.settings import label_of_choice, options_of
 from ..page import Page
 from .handlers import on_change
 
@@ -24,8 +25,8 @@ class ChoiceBox:
 
     def __init__(self, page: Page, key: str, order: float) -> None:
         self._choice = CHOICES[key]
-        options = self._choice.options
-        self.handle = page.client.gui.add_dropdown(self._choice.label, tuple(options.values()), order=order)
+        self._options = options = options_of(key)
+        self.handle = page.client.gui.add_dropdown(label_of_choice(key), tuple(options.values()), order=order)
 
         def choose() -> None:
             for name, label in options.items():
@@ -37,4 +38,4 @@ class ChoiceBox:
     def show(self, scene: Scene) -> None:
         """Show the value of a scene."""
         self.handle.visible = self._choice.shown(scene)
-        self.handle.value = self._choice.options[self._choice.read(scene)]
+        self.handle.value = self._options[self._choice.read(scene)]

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import viser
 
+from ...words import say
 from .handlers import on_change
 
 
@@ -31,9 +32,9 @@ class DecimalCommas:
     def add(self, gui: viser.GuiApi, order: float | None = None) -> viser.GuiCheckboxHandle:
         """Add a switch at the place of the next control."""
         switch = gui.add_checkbox(
-            "Decimal commas",
+            say("ui-commas"),
             initial_value=self.on,
-            hint="tables that are saved have 0,5 for 0.5, and semicolons between the columns",
+            hint=say("ui-commas.hint"),
             order=order,
         )
         self._shown.append(switch)

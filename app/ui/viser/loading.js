@@ -6,11 +6,10 @@
 import { onPicture } from "../../stage/canvas.js";
 import { make, makeButton } from "../dialog.js";
 import { onMessage, pageState } from "../../wire/channel.js";
+import { say } from "../../words/words.js";
 
 /** Animation frames that viser needs to show the panel after its messages have arrived. */
 const SETTLING = 4;
-
-const NO_CANVAS = "The browser no longer draws this page. Your body is saved:";
 
 const box = () => document.querySelector(".softrod-loading");
 
@@ -29,7 +28,7 @@ export function watchGraphics() {
   const lost = (/** @type {Event} */ { target }) => {
     if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
     window.removeEventListener("webglcontextlost", lost, true);
-    showFault(NO_CANVAS).append(" ", makeButton("Reload", () => location.reload(), ""));
+    showFault(say("ui-no-canvas")).append(" ", makeButton(say("ui-no-canvas.reload"), () => location.reload(), ""));
   };
   window.addEventListener("webglcontextlost", lost, true);
 }

@@ -13,6 +13,8 @@ from sim.scene.types import Scene
 from sim.settings import Setting
 
 from ...wire.carrier import Mail
+from ...words import say
+from ...words.settings import label_of, remark_of, term_of
 from .. import readouts
 from .handlers import on_change
 from .look import describe_control
@@ -64,13 +66,13 @@ class SliderBox:
         low, high = setting.slider
         step = 1.0 if setting.integer else 10.0 ** math.floor(math.log10((high - low) / 500.0))
         self.slider = client.gui.add_slider(
-            setting.label,
+            label_of(setting),
             min=low,
             max=high,
             step=step,
             initial_value=low,
             marks=((low, readouts.short(low)), (high, readouts.short(high))),
-            hint="; ".join(filter(None, (setting.term, range_of(setting)))),
+            hint="; ".join(filter(None, (term_of(setting), range_of(setting)))),
             order=order,
         )
         self.slider.value = rounded(value)  # which may be beyond the slider
@@ -109,15 +111,16 @@ class SliderBox:
         setting = self.setting
         mixed = setting.differs(scene)
         parts = (
-            setting.term,
+            term_of(setting),
             range_of(setting),
             mixed_words(setting) if mixed else "",
-            setting.remark(scene),
+            remark_of(setting, scene),
         )
         hint = "; ".join(part for part in parts if part)
         if mixed != self.mixed or hint != self.slider.hint:
             self.mixed, self.slider.hint = mixed, hint
-            self.slider.label = f"{setting.label} (mixed)" if mixed else setting.label
+            label = label_of(setting)
+            self.slider.label = say("ui-mixed", setting=label) if mixed else label
 
     def _send(self, value: float) -> bool:
         """Post a value if it is allowed, and return True if it was posted."""
@@ -132,8 +135,8 @@ class SliderBox:
 def mixed_words(setting: Setting) -> str:
     """What a slider does whose parts have different values."""
     if setting.key == "rest_angle":
-        return "the slider turns the first angle, and the others by as much"
-    return "the slider sets the largest number, and the others keep their ratio to it"
+        return say("ui-mixed.angles")
+    return say("ui-mixed.numbers")
 
 
 def allows(of: Setting | Number, value: float) -> bool:
@@ -143,7 +146,8 @@ def allows(of: Setting | Number, value: float) -> bool:
 
 def range_of(of: Setting | Number) -> str:
     """The allowed range of a number as text."""
-    return f"{readouts.grouped(of.low)} to {readouts.grouped(of.high)} {of.unit}".rstrip()
+    high = f"{readouts.grouped(of.high)} {of.unit}".rstrip()
+    return say("ui-range", low=readouts.grouped(of.low), high=high)
 
 
 def alike(a: float, b: float) -> bool:

@@ -1,0 +1,15 @@
+lesson-card = Lektion
+lesson-right = Das ist richtig.
+lesson-answer = Die Antwort ist: { $choice }.
+lesson-count = { $at } von { $count }
+lesson-check = Antwort prüfen
+lesson-next = Nächster Schritt
+    .first = Zurück zu Schritt 1
+lesson-do = Mach:
+lesson-watch = Beobachte:
+lesson-back = Zurück
+lesson-again = Noch einmal
+    .hint = diesen Schritt neu beginnen
+lesson-fails = Dieser Schritt kann nicht beginnen
+lesson-closed = Eine Klasse geht gerade durch diese Lektion
+    .text = Hier ist nur ihr Körper; die Schritte kommen mit der Klasse.

@@ -1,0 +1,11 @@
+play-scene = Szene
+    .hint = eine andere Szene wählen (Taste O)
+    .note = Andere Szene wählen
+play-anew = Neu öffnen
+    .hint = diese Szene neu öffnen
+play-follow = Dem Zeiger folgen
+    .hint = Taste F
+play-more = Mehr Zahlen
+play-own = Eigene Werte der Szene
+play-held = Jede Masse dieser Szene ist festgehalten.
+    .edit = Jede Masse dieser Szene ist festgehalten. Drücke „Bearbeiten“ (E), um mehr zu bauen, oder wähle eine Masse aus und lass sie los.

@@ -1,0 +1,10 @@
+time-bar = Zeit
+    .more = Mehr zur Zeit
+time-go-on = Weiter von hier
+    .word = Weiter
+time-speed = Tempo
+    .hint = Simulierte Sekunden pro Sekunde
+time-shown = Gezeigte Zeit
+    .said = { $seconds } Sekunden
+time-lost = In der Zeit vor { $seconds } s ist zu viel geschehen, um alles aufzuheben.
+time-past = Die dünne Linie zeigt, was geschah, bevor du zurückgegangen bist.

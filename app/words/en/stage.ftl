@@ -1,0 +1,11 @@
+# Over the canvas, beside the body.
+
+# The arrow at the edge of the canvas, where the body has gone.
+stage-away = The body is out of view. Show the whole scene
+# At the mass with a ring, until somebody drags a mass.
+stage-drag = drag me
+# On an empty canvas: before the tool is chosen, and then, for a finger or a mouse.
+stage-empty = Nothing is built here yet.
+    .draw = Draw a body
+    .tap = Tap for a mass. Drag from a mass for a spring.
+    .click = Click for a mass. Drag from a mass for a spring.
