@@ -50,7 +50,7 @@ def access(desk: Desk) -> None:
 
 
 def edit(desk: Desk) -> None:
-    desk.page.keyboard.press("b")
+    desk.page.locator(".softrod-edit button").first.click()
     desk.page.locator("html[data-softrod-tool=build]").wait_for()
 
 
