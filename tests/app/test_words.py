@@ -14,7 +14,20 @@ from websockets.http11 import Request
 from app import words
 from app.gate.gate import language_of
 from app.pages.sandbox.assets import page_in
-from app.words import ENGLISH, PSEUDO, choose, find, language, languages, of_script, say, speaking
+from app.words import (
+    ENGLISH,
+    PSEUDO,
+    choose,
+    decimal,
+    find,
+    language,
+    languages,
+    listed,
+    number,
+    of_script,
+    say,
+    speaking,
+)
 from tests.page.generate import texts
 from tests.words import wrong
 
@@ -127,3 +140,13 @@ def test_a_page_without_words_has_places_that_its_script_fills() -> None:
 def test_keys_are_found_in_a_script_as_strings() -> None:
     script = 'const a = say("line-away"), b = {x: "class-title.hint"}, c = "no-such-key";'
     assert re.findall(r"^[a-z-]+(?= =)", of_script(script, ENGLISH), re.M) == ["class-title", "line-away"]
+
+
+def test_numbers_are_written_as_the_language_does() -> None:
+    assert (decimal("1,234.5"), number(2 / 3), listed(["a", "b", "c"])) == ("1,234.5", "0.667", "a, b and c")
+    with speaking("de"):
+        assert (decimal("1,234.5"), number(2 / 3), listed(["a", "b", "c"])) == (
+            "1\u202f234,5",
+            "0,667",
+            "a, b und c",
+        )
