@@ -22,10 +22,7 @@ check-stores = Ce navigateur garde les réponses jusqu’à ce qu’elles soient
 check-stores-not = Ce navigateur ne garde rien : une réponse qui n’est pas encore arrivée est perdue si la page est rechargée.
 check-allow = Quitte la navigation privée ou autorise la page à enregistrer des données.
 check-clock = Son horloge est d’accord avec celle du professeur.
-check-apart = { $minutes ->
-    [one] Son horloge et celle du professeur diffèrent de { $minutes } minute.
-   *[other] Son horloge et celle du professeur diffèrent de { $minutes } minutes.
-  }
+check-apart = Son horloge et celle du professeur diffèrent de { $minutes } min.
 check-https = Cela ne gêne pas une séance, mais les adresses en https peuvent être refusées.
 check-no-sockets = Ce navigateur n’établit pas de connexion en direct (WebSocket).
 check-connected = Une connexion en direct (WebSocket) s’établit, après { $ms } ms.
