@@ -215,18 +215,9 @@ class-told-at = { $day ->
 
 ## Le tableau : ce que tous voient avec le vidéoprojecteur.
 
-class-answered = { $done ->
-    [one] { $done } sur { $all } a répondu
-   *[other] { $done } sur { $all } ont répondu
-  }
-class-wrote = { $done ->
-    [one] { $done } sur { $all } a écrit une phrase
-   *[other] { $done } sur { $all } ont écrit une phrase
-  }
-class-handed-in = { $done ->
-    [one] { $done } sur { $all } a rendu
-   *[other] { $done } sur { $all } ont rendu
-  }
+class-answered = Réponses : { $done } sur { $all }
+class-wrote = Phrases : { $done } sur { $all }
+class-handed-in = Rendus : { $done } sur { $all }
 wall-nobody = Encore personne ? Certains réseaux isolent les appareils les uns des autres : essayez le partage de connexion de cet ordinateur.
 wall-way-in = Ouvrez { $address } et tapez { $code }
 wall-scan = Scannez ceci, ou ouvrez { $address } et tapez
@@ -262,7 +253,7 @@ desk-room = La classe
 desk-over = La séance est terminée
 desk-nothing-kept = Rien de ce qui a été donné n’est gardé sur cet ordinateur.
 
-desk-here = Présents : { $count }
+desk-here = { $count } là
 desk-wall = Tableau
 desk-controls = Réglages
   .label = Réglages de mon objet
