@@ -61,8 +61,8 @@ describe-net = { $count ->
         [one] un resorte
        *[other] { $springs } resortes
     } en { $loops ->
-        [one] un ciclo
-       *[other] { $loops } ciclos
+        [one] una malla
+       *[other] { $loops } mallas
     } y { $joints ->
         [0] sin articulaciones
         [one] una articulación
@@ -72,8 +72,8 @@ describe-net = { $count ->
         [one] un resorte
        *[other] { $springs } resortes
     } en { $loops ->
-        [one] un ciclo
-       *[other] { $loops } ciclos
+        [one] una malla
+       *[other] { $loops } mallas
     } y { $joints ->
         [0] sin articulaciones
         [one] una articulación

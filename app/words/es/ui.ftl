@@ -94,7 +94,7 @@ ui-tab-share = Compartir
 ui-tab-lesson = Lección
 
 ui-unsent = No se puede enviar
-    .text = Es demasiado grande para que una página lo envíe: como máximo 4,7 MB, que son unas 11 000 masas.
+    .text = Es demasiado grande para que una página lo envíe: como máximo 4,7 MB, que son unas 11 000 masas.
 ui-unsent-resume = No se puede reanudar
 ui-unsent-link = No se puede abrir
 ui-unsent-file = No se puede abrir
