@@ -208,7 +208,7 @@ class-told-at = { $day } de { $month ->
     [10] octubre
     [11] noviembre
    *[12] diciembre
-  }, a las { $time }
+  } a las { $time }
 
 ## La pantalla común: lo que todos ven en el proyector.
 
@@ -219,8 +219,8 @@ wall-nobody = ¿Nadie todavía? Puede que la red aísle los dispositivos: prueba
 wall-way-in = Abre { $address } y escribe { $code }
 wall-scan = Escanea esto, o abre { $address } y escribe
 wall-here = { $count ->
-    [one] Hay { $count } persona
-   *[other] Hay { $count } personas
+    [one] Hay { $count } persona aquí
+   *[other] Hay { $count } personas aquí
   }
 wall-step = Paso { $number } de { $steps }
 wall-now = Ahora: { $runs }
