@@ -152,7 +152,7 @@ guide-collected = Çoğu öğrenci teslim edince birini tahtada gösterin.
 
 class-refuse-together = Sınıf hep birlikte ilerliyor.
 class-refuse-no-home-step = Ödevde böyle bir adım yok.
-class-refuse-no-place = Derste böyle bir yer yok.
+class-refuse-no-place = Derste böyle bir bölüm yok.
 class-refuse-sealed = Tümü gösterilmeden kimse cevapları göremez.
 class-refuse-no-bodies = Şu anda öğrencilerin kendi cisimleri yok.
 class-refuse-gathered = Şu anda herkes öğretmeninkine bakıyor.
@@ -255,7 +255,7 @@ desk-results = Cevapları göster
   .again = Cevapları yeniden göster
 desk-run = Hareketi başlat
 desk-reveal = Doğru cevabı göster
-desk-explain = Tek cümleyle açıklasınlar
+desk-explain = Bir cümle yazsınlar
 desk-try = Denesinler
 desk-collect = Topla
 desk-step = { $number }. adım

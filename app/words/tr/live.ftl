@@ -9,7 +9,7 @@ replay-time = Gösterilen zaman
 replay-too-old = Bu tarayıcı dosyayı oynatamıyor; daha yeni bir tarayıcı oynatabilir.
 
 live-exploded = Cisim patladı
-live-back = Patlamadan öncesine dön
+live-back = Patlamanın öncesine dön
 live-side = Kontroller ve sayılar
 live-lesson = Ders
 live-others = Diğer kaydırıcılar
