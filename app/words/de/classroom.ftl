@@ -474,7 +474,7 @@ zip-given-names = Die Plätze haben die Namen, die ihnen zugeteilt wurden.
 
 zip-step = Schritt
 zip-title = Titel
-zip-asked = Frage
+zip-asked = Runde
 zip-seat = Platz
 zip-name = Name
 zip-pupil = Person

@@ -516,6 +516,7 @@ zip-given-names = Seats have the names that the class gave out.
 # Heads of columns.
 zip-step = step
 zip-title = title
+# Which time in the class this step was asked: 1, 2, …
 zip-asked = asked
 zip-seat = seat
 zip-name = name
@@ -525,6 +526,7 @@ zip-answer = answer
 zip-right = right
 zip-late = late
 zip-starred = starred
+# What the run is plotted over, and the setting that a pupil chose.
 zip-over = over
 zip-over-unit = over unit
 zip-setting = setting
