@@ -26,6 +26,7 @@ from ...session import commands
 from ...session.session import Notice, Session
 from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
+from ...words import say
 from . import messages as asks
 from .messages import Copied, Selected, TextsTaken, Versions
 
@@ -34,9 +35,6 @@ COPY_OFFSET = 0.3
 
 MERGE_WITHIN = 1.0
 """Seconds within which moves by keys are one step of undo."""
-
-OFFER = "Reset, then press “Keep this shape” next to the tools: the body will stay as you drew it."
-"""Shown once to a user who has drawn a spring and lets the body move."""
 
 _PASTED = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
 
@@ -56,7 +54,7 @@ class Edits:
         self._notify = notify
         self._copies = False  # whether the selection is to be copied
         self._selected: Selection | None = None  # what the page knows to be selected
-        self._drew = self._offered = False  # whether a spring was drawn, and OFFER was shown
+        self._drew = self._offered = False  # whether a spring was drawn, and how to keep its shape was shown
 
     # --------------------------------------------------------------------- any thread
     def do(self, ask: asks.Edit) -> None:
@@ -109,7 +107,7 @@ class Edits:
         except (binascii.Error, UnicodeDecodeError):
             return
         except SceneError as error:
-            self._notify(Notice("error", "That cannot be pasted", str(error)))
+            self._notify(Notice("error", say("edit-not-pasted"), str(error)))
             return
         x, y = float(match[1]), float(match[2])
         self._session.post(
@@ -127,7 +125,7 @@ class Edits:
         self._mail.send(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
         if session.playing and self._drew and not self._offered:
             self._offered = True
-            self._notify(Notice("info", "It sags?", OFFER))
+            self._notify(Notice("info", say("edit-sags"), say("edit-sags.text")))
         if self._copies:
             self._copies = False
             moment = session.simulation.capture()
@@ -135,7 +133,7 @@ class Edits:
                 fragment = _copy(moment, masses_of(moment.scene, session.selection))
                 self._mail.send(Copied(text=copying.encode(fragment)))
             except SceneError as error:
-                self._notify(Notice("error", "That cannot be copied", str(error)))
+                self._notify(Notice("error", say("edit-not-copied"), str(error)))
 
 
 # ------------------------------------------------------------------------- what is selected

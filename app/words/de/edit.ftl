@@ -1,0 +1,143 @@
+edit-tools = Bearbeiten
+edit-bar = Was ausgewählt ist
+edit-waits-build = Tippe für eine Masse, ziehe für eine Feder
+edit-waits-joint = Tippe eine Masse an, dann einen Winkel an ihr
+edit-waits-select = Tippe ein Teil an, oder ziehe um mehrere
+edit-waits-cut = Ziehe quer durch Federn
+edit-paste = Einfügen
+edit-done = Fertig
+edit-rests = Verschobenes ruht
+    .hint = Federn und Gelenke von Verschobenem nehmen ihre neuen Längen und Winkel als Ruhelängen und Ruhewinkel oder behalten die alten
+edit-stiffen = Halten, { $times }-mal so steif
+edit-undo = Rückgängig machen: { $what }
+    .none = Nichts rückgängig zu machen
+    .done = Rückgängig gemacht: { $what }
+edit-redo = Wiederholen: { $what }
+    .none = Nichts zu wiederholen
+edit-masses = { $count ->
+    [one] { $count } Masse
+   *[other] { $count } Massen
+}
+edit-springs = { $count ->
+    [one] { $count } Feder
+   *[other] { $count } Federn
+}
+edit-joints = { $count ->
+    [one] { $count } Gelenk
+   *[other] { $count } Gelenke
+}
+edit-parts = { $count ->
+    [one] { $count } Teil
+   *[other] { $count } Teile
+}
+edit-mass = Masse { $number }
+edit-spring = Feder { $number }
+edit-joint = Gelenk { $number }
+edit-selected = { $parts } ausgewählt
+    .none = Nichts ausgewählt
+edit-rests-at = Ruhewinkel { $angle }
+edit-moved = Verschobene Massen
+    .text = Federn und Gelenke von dem, was du verschoben hast, können so ruhen, wie sie jetzt sind, oder ihre Ruhelängen und Ruhewinkel behalten: Dann ziehen sie zurück, sobald die Uhr läuft.
+    .take = Neue Längen nehmen
+    .keep = Ruhelängen behalten
+    .once = Das wird einmal gefragt. Ändern kannst du es mit „Verschobenes ruht“.
+edit-texts = Name und Beschreibung dieser Szene
+    .name = Name
+    .description = Was sie zeigt
+    .done = Fertig
+    .cancel = Abbrechen
+edit-picture = Bild
+    .hint = Ein Bild hinter dem Körper, zum Nachzeichnen; es bleibt in diesem Browser
+    .size = Größe
+    .opacity = Deckkraft
+    .move = Verschieben
+    .drag = Ziehe es, oder nimm die Pfeiltasten, bis du Esc drückst
+    .another = Anderes Bild
+    .remove = Wegnehmen
+edit-no-picture = { $name } ist kein Bild, das dieser Browser zeigen kann
+
+edit-not-pasted = Das kann nicht eingefügt werden
+edit-not-copied = Das kann nicht kopiert werden
+edit-sags = Hängt der Körper durch?
+    .text = Setze ihn zurück und drücke dann „Diese Form halten“ neben den Werkzeugen: Er bleibt so, wie du ihn gezeichnet hast.
+
+number-mixed = gemischt
+number-middle = Mitte
+number-note = { $number } ({ $note })
+number-proportions = Verhältnisse behalten
+    .hint = eine Zahl setzt dann den größten Wert, und die anderen ändern sich im gleichen Verhältnis
+number-holding = Massen
+    .pin = Festhalten
+    .release = Loslassen
+number-rest = Ruhe wie jetzt
+    .hint = Ruhelängen und Ruhewinkel werden die jetzigen
+number-delete = Löschen
+number-position-x = Start x
+number-position-y = Start y
+number-mass = Masse
+number-radius = Radius
+number-force-x = Kraft x
+number-force-y = Kraft y
+number-spring-stiffness = Steifigkeit
+number-spring-damping = Dämpfung
+number-spring-rest-length = Ruhelänge
+number-spring-strength = Festigkeit
+number-spring-yield-force = Fließkraft
+number-spring-hardening = Verfestigung
+number-joint-stiffness = Steifigkeit des Gelenks
+number-joint-damping = Dämpfung des Gelenks
+number-joint-rest-angle = Ruhewinkel
+number-joint-yield-torque = Fließdrehmoment
+number-spring-muscle-amplitude = Amplitude des Muskels
+number-spring-muscle-phase = Phase des Muskels
+number-spring-muscle-per-beat = Wellen des Muskels je Takt
+number-joint-muscle-amplitude = Amplitude des Gelenkmuskels
+number-joint-muscle-phase = Phase des Gelenkmuskels
+number-joint-muscle-per-beat = Wellen des Gelenkmuskels je Takt
+number-joint-motor-speed = Drehzahl des Motors
+number-joint-motor-torque = Drehmoment des Motors
+
+way-touch = Massen berühren
+    .hint = Bälle stoßen zusammen: Sie prallen voneinander ab und, wo es Kontakt gibt, auch von Federn
+    .usual = keine andere Masse
+    .solid = andere Bälle
+way-move = Massen bewegen sich
+    .hint = eine Masse auf einer Schiene bewegt sich nur an ihr entlang, wie ein Wagen
+    .usual = frei
+    .level = hin und her auf einer Schiene
+    .upright = auf und ab auf einer Schiene
+way-springs = Federn wirken
+    .hint = ein Seil zieht nur, und ein Anschlag wirkt nur auf einer Seite seines Ruhewinkels
+    .usual = in beide Richtungen
+    .pull = nur ziehend
+    .push = nur drückend
+way-joints = Gelenke wirken
+    .hint = { way-springs.hint }
+    .usual = auf beiden Seiten
+    .above = nur über ihrem Winkel
+    .below = nur unter ihrem Winkel
+way-turn = Gelenke drehen sich
+    .hint = ein Motor dreht die zweite Feder eines Gelenks gegen die erste
+    .usual = frei
+    .motor = durch einen Motor
+    .left-right = durch einen Motor, mit den Tasten Links und Rechts
+    .up-down = durch einen Motor, mit den Tasten Auf und Ab
+way-forces = Kräfte wirken
+    .hint = eine Kraft auf eine Masse wirkt immer oder solange eine Pfeiltaste gehalten wird
+    .usual = immer
+    .left-right = mit den Tasten Links und Rechts
+    .up-down = mit den Tasten Auf und Ab
+way-muscles = Muskeln arbeiten
+    .hint = ein Muskel arbeitet immer oder solange eine Pfeiltaste gehalten wird; ein stetiger bleibt dann, wie er ist
+    .usual = im Takt
+    .left-right = im Takt, mit den Tasten Links und Rechts
+    .up-down = im Takt, mit den Tasten Auf und Ab
+    .steady-left-right = stetig, mit den Tasten Links und Rechts
+    .steady-up-down = stetig, mit den Tasten Auf und Ab
+way-joint-muscles = Gelenkmuskeln arbeiten
+    .hint = { way-muscles.hint }
+    .usual = { way-muscles.usual }
+    .left-right = { way-muscles.left-right }
+    .up-down = { way-muscles.up-down }
+    .steady-left-right = { way-muscles.steady-left-right }
+    .steady-up-down = { way-muscles.steady-up-down }
