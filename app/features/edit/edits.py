@@ -28,6 +28,7 @@ from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
 from ...words import say
 from . import messages as asks
+from .labels import done
 from .messages import Copied, Selected, TextsTaken, Versions
 
 COPY_OFFSET = 0.3
@@ -54,6 +55,7 @@ class Edits:
         self._notify = notify
         self._copies = False  # whether the selection is to be copied
         self._selected: Selection | None = None  # what the page knows to be selected
+        self._labels = self._done = ("", "")  # of undo and redo, as the steps have them and as they are said
         self._drew = self._offered = False  # whether a spring was drawn, and how to keep its shape was shown
 
     # --------------------------------------------------------------------- any thread
@@ -122,7 +124,11 @@ class Edits:
             self._selected = session.selection
             self._mail.send(Selected(*(tuple(sorted(parts)) for parts in self._selected)))
         stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
-        self._mail.send(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
+        labels = versions.undoable, versions.redoable
+        if labels != self._labels:
+            self._labels = labels
+            self._done = done(labels[0], session.scene), done(labels[1], session.scene)
+        self._mail.send(Versions(*self._done, len(versions), round(stiffen, 3)))
         if session.playing and self._drew and not self._offered:
             self._offered = True
             self._notify(Notice("info", say("edit-sags"), say("edit-sags.text")))

@@ -113,6 +113,11 @@ def label_of(of: Number) -> str:
     return find(f"number-{_PREFIXES[of.kind]}{field}{axis}")
 
 
+def label_of_way(key: str) -> str:
+    """Return what one of `WAYS` is called."""
+    return find(f"way-{_dashed(key)}")
+
+
 def options_of(key: str) -> dict[str, str]:
     """Return what the choices of one of `WAYS` are called."""
     return {name: find(f"way-{_dashed(key)}.{_dashed(name) or 'usual'}") for name in WAYS[key].words}
@@ -239,10 +244,10 @@ class _Way:
 
     def __init__(self, page: Page, key: str) -> None:
         self._way = way = WAYS[key]
-        self._words, text = options_of(key), f"way-{_dashed(key)}"
+        self._words = options_of(key)
         self._box = page.client.gui.add_dropdown(
-            find(text), tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
-            hint=find(f"{text}.hint"),
+            label_of_way(key), tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
+            hint=find(f"way-{_dashed(key)}.hint"),
         )  # fmt: skip
 
         def choose() -> None:

@@ -141,3 +141,114 @@ way-joint-muscles = Gelenkmuskeln arbeiten
     .up-down = { way-muscles.up-down }
     .steady-left-right = { way-muscles.steady-left-right }
     .steady-up-down = { way-muscles.steady-up-down }
+
+done-masses-removed = { $count ->
+    [one] { $count } Masse entfernt
+   *[other] { $count } Massen entfernt
+}
+done-springs-removed = { $count ->
+    [one] { $count } Feder entfernt
+   *[other] { $count } Federn entfernt
+}
+done-joints-removed = { $count ->
+    [one] { $count } Gelenk entfernt
+   *[other] { $count } Gelenke entfernt
+}
+done-muscles-removed = { $count ->
+    [one] { $count } Muskel entfernt
+   *[other] { $count } Muskeln entfernt
+}
+done-springs-cut = { $count ->
+    [one] { $count } Feder durchgeschnitten
+   *[other] { $count } Federn durchgeschnitten
+}
+done-springs-added = { $count ->
+    [one] { $count } Feder hinzugefügt
+   *[other] { $count } Federn hinzugefügt
+}
+done-joints-added = { $count ->
+    [one] { $count } Gelenk hinzugefügt
+   *[other] { $count } Gelenke hinzugefügt
+}
+done-muscles-added = { $count ->
+    [one] { $count } Muskel hinzugefügt
+   *[other] { $count } Muskeln hinzugefügt
+}
+done-masses-pinned = { $count ->
+    [one] { $count } Masse festgehalten
+   *[other] { $count } Massen festgehalten
+}
+done-masses-let-go = { $count ->
+    [one] { $count } Masse losgelassen
+   *[other] { $count } Massen losgelassen
+}
+done-masses-moved = { $count ->
+    [one] { $count } Masse verschoben
+   *[other] { $count } Massen verschoben
+}
+done-masses-mirrored = { $count ->
+    [one] { $count } Masse gespiegelt
+   *[other] { $count } Massen gespiegelt
+}
+done-masses-duplicated = { $count ->
+    [one] { $count } Masse dupliziert
+   *[other] { $count } Massen dupliziert
+}
+done-masses-pasted = { $count ->
+    [one] { $count } Masse eingefügt
+   *[other] { $count } Massen eingefügt
+}
+done-muscles-moved = { $count ->
+    [one] { $count } Muskel verändert
+   *[other] { $count } Muskeln verändert
+}
+done-muscles-changed = { $count ->
+    [one] { $count } Muskel geändert
+   *[other] { $count } Muskeln geändert
+}
+done-muscles-spread = { $count ->
+    [one] { $count } Muskel verteilt
+   *[other] { $count } Muskeln verteilt
+}
+done-springs-critically-damped = { $count ->
+    [one] { $count } Feder aperiodisch gedämpft
+   *[other] { $count } Federn aperiodisch gedämpft
+}
+done-triangulated-springs-added = { $count ->
+    [one] in Dreiecke geteilt: { $count } Feder hinzugefügt
+   *[other] in Dreiecke geteilt: { $count } Federn hinzugefügt
+}
+done-mass-added = Masse hinzugefügt
+done-mass-and-spring-added = Masse und Feder hinzugefügt
+done-masses-and-a-spring-added = { $count } Massen und eine Feder hinzugefügt
+done-nothing-removed = nichts entfernt
+done-nothing-mirrored = nichts gespiegelt
+done-rest-as-it-is = Ruhe wie jetzt
+done-keep-this-shape = diese Form halten
+done-fitted = angepasst
+done-scene-renamed = Szene umbenannt
+done-scene-described = Szene beschrieben
+done-mode = Schwingung { $count }
+done-own-values-of-the-body = eigene Werte des Körpers
+done-own-values-of-the-solver = eigene Werte des Lösers
+done-number-set = { $number } gesetzt: { $parts }
+done-number-scaled = { $number } skaliert: { $parts }
+done-way = { $way }: { $choice }
+done-lesson-deleted = Lektion gelöscht
+done-step-added = Schritt { $count } hinzugefügt
+done-step-duplicated = Schritt { $count } dupliziert
+done-step-removed = Schritt { $count } entfernt
+done-step-moved = „{ $title }“ wird Schritt { $count }
+done-beginning-of-step = Beginn von Schritt { $count }
+done-title-of-step = Titel von Schritt { $count }
+done-task-of-step = Aufgabe von Schritt { $count }
+done-what-to-watch-of-step = Beobachtung von Schritt { $count }
+done-question-of-step = Frage von Schritt { $count }
+done-prediction-of-step = Vorhersage von Schritt { $count }
+done-goal-of-step = Ziel von Schritt { $count }
+done-what-is-handed-in-of-step = Abzugebendes von Schritt { $count }
+done-sliders-of-step = Regler von Schritt { $count }
+done-plots-of-step = Diagramme von Schritt { $count }
+done-arrows-of-step = Pfeile von Schritt { $count }
+done-second-body-of-step = zweiter Körper von Schritt { $count }
+done-run-of-step = Lauf von Schritt { $count }

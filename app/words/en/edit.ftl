@@ -156,3 +156,115 @@ way-joint-muscles = Joint muscles work
     .up-down = { way-muscles.up-down }
     .steady-left-right = { way-muscles.steady-left-right }
     .steady-up-down = { way-muscles.steady-up-down }
+
+# What steps of undo are called: what was done. Keys are the words of the labels in sim/edit.
+done-masses-removed = { $count ->
+    [one] { $count } mass removed
+   *[other] { $count } masses removed
+}
+done-springs-removed = { $count ->
+    [one] { $count } spring removed
+   *[other] { $count } springs removed
+}
+done-joints-removed = { $count ->
+    [one] { $count } joint removed
+   *[other] { $count } joints removed
+}
+done-muscles-removed = { $count ->
+    [one] { $count } muscle removed
+   *[other] { $count } muscles removed
+}
+done-springs-cut = { $count ->
+    [one] { $count } spring cut
+   *[other] { $count } springs cut
+}
+done-springs-added = { $count ->
+    [one] { $count } spring added
+   *[other] { $count } springs added
+}
+done-joints-added = { $count ->
+    [one] { $count } joint added
+   *[other] { $count } joints added
+}
+done-muscles-added = { $count ->
+    [one] { $count } muscle added
+   *[other] { $count } muscles added
+}
+done-masses-pinned = { $count ->
+    [one] { $count } mass pinned
+   *[other] { $count } masses pinned
+}
+done-masses-let-go = { $count ->
+    [one] { $count } mass let go
+   *[other] { $count } masses let go
+}
+done-masses-moved = { $count ->
+    [one] { $count } mass moved
+   *[other] { $count } masses moved
+}
+done-masses-mirrored = { $count ->
+    [one] { $count } mass mirrored
+   *[other] { $count } masses mirrored
+}
+done-masses-duplicated = { $count ->
+    [one] { $count } mass duplicated
+   *[other] { $count } masses duplicated
+}
+done-masses-pasted = { $count ->
+    [one] { $count } mass pasted
+   *[other] { $count } masses pasted
+}
+done-muscles-moved = { $count ->
+    [one] { $count } muscle moved
+   *[other] { $count } muscles moved
+}
+done-muscles-changed = { $count ->
+    [one] { $count } muscle changed
+   *[other] { $count } muscles changed
+}
+done-muscles-spread = { $count ->
+    [one] { $count } muscle spread
+   *[other] { $count } muscles spread
+}
+done-springs-critically-damped = { $count ->
+    [one] { $count } spring critically damped
+   *[other] { $count } springs critically damped
+}
+done-triangulated-springs-added = { $count ->
+    [one] triangulated: { $count } spring added
+   *[other] triangulated: { $count } springs added
+}
+done-mass-added = mass added
+done-mass-and-spring-added = mass and spring added
+done-masses-and-a-spring-added = { $count } masses and a spring added
+done-nothing-removed = nothing removed
+done-nothing-mirrored = nothing mirrored
+done-rest-as-it-is = rest as it is
+done-keep-this-shape = keep this shape
+done-fitted = fitted
+done-scene-renamed = scene renamed
+done-scene-described = scene described
+done-mode = mode { $count }
+done-own-values-of-the-body = own values of the body
+done-own-values-of-the-solver = own values of the solver
+done-number-set = { $number } set: { $parts }
+done-number-scaled = { $number } scaled: { $parts }
+done-way = { $way }: { $choice }
+done-lesson-deleted = lesson deleted
+done-step-added = step { $count } added
+done-step-duplicated = step { $count } duplicated
+done-step-removed = step { $count } removed
+done-step-moved = “{ $title }” moved to step { $count }
+done-beginning-of-step = beginning of step { $count }
+done-title-of-step = title of step { $count }
+done-task-of-step = task of step { $count }
+done-what-to-watch-of-step = what to watch of step { $count }
+done-question-of-step = question of step { $count }
+done-prediction-of-step = prediction of step { $count }
+done-goal-of-step = goal of step { $count }
+done-what-is-handed-in-of-step = what is handed in of step { $count }
+done-sliders-of-step = sliders of step { $count }
+done-plots-of-step = plots of step { $count }
+done-arrows-of-step = arrows of step { $count }
+done-second-body-of-step = second body of step { $count }
+done-run-of-step = run of step { $count }
