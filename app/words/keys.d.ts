@@ -767,6 +767,10 @@ export type Words = {
   "done-arrows-of-step": "count";
   "done-second-body-of-step": "count";
   "done-run-of-step": "count";
+  "edit-no-corner": never;
+  "edit-no-brace": never;
+  "edit-no-selection": never;
+  "edit-no-move": never;
   "gallery-title": never;
   "gallery-search": never;
   "gallery-new": never;
@@ -1255,6 +1259,13 @@ export type Words = {
   "energy-residual": never;
   "about-edit": never;
   "about-edit.new": never;
+  "session-not-done": never;
+  "session-back": "title";
+  "session-back.undo": "before";
+  "session-back.redo": "before";
+  "session-no-shape": never;
+  "session-no-shape.line": never;
+  "session-no-shape.stiffen": "times";
   "setting-linear-stiffness": never;
   "setting-linear-stiffness.hint": never;
   "setting-linear-damping": never;

@@ -251,19 +251,19 @@ def _act(what: str, moment: Moment, selection: Selection) -> Edit:
         case "corners":
             edit = shape.add_corners(scene, some, positions, moment.rest_angle_shift)
             if edit.joints is None:
-                raise SceneError("there is no corner without an angular spring")
+                raise SceneError(say("edit-no-corner"))
             return edit
         case "triangulate":
             edit = shape.triangulate(scene, some, positions, moment.rest_length_scale)
             if edit.springs is None:
-                raise SceneError("there is nothing left to brace")
+                raise SceneError(say("edit-no-brace"))
             return edit
         case "rest":
             return take_as_rest(moment, selection if any(selection) else Selection(masses=some))
         case "keep" | "stiffen":
             return _keep_shape(moment, selection, what == "stiffen")
         case _:
-            raise SceneError("nothing is selected")
+            raise SceneError(say("edit-no-selection"))
 
 
 def _add_line(moment: Moment, a: int | None, b: int | None, start: Vector, end: Vector) -> Edit:
@@ -329,7 +329,7 @@ def _keep_shape(moment: Moment, selection: Selection, allow_stiffening: bool) ->
 
 def _move(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Edit:
     if not masses:
-        raise SettingError("nothing is selected that could be moved")
+        raise SettingError(say("edit-no-move"))
     edit = shape.move(moment.scene, masses, by)
     if not (rest and any(s.a in masses or s.b in masses for s in moment.scene.linear_springs)):
         return edit

@@ -252,3 +252,8 @@ done-plots-of-step = Diagramme von Schritt { $count }
 done-arrows-of-step = Pfeile von Schritt { $count }
 done-second-body-of-step = zweiter Körper von Schritt { $count }
 done-run-of-step = Lauf von Schritt { $count }
+
+edit-no-corner = es gibt keine Ecke ohne Drehfeder
+edit-no-brace = es ist nichts mehr zu versteifen
+edit-no-selection = es ist nichts ausgewählt
+edit-no-move = es ist nichts ausgewählt, was sich verschieben lässt

@@ -268,3 +268,9 @@ done-plots-of-step = plots of step { $count }
 done-arrows-of-step = arrows of step { $count }
 done-second-body-of-step = second body of step { $count }
 done-run-of-step = run of step { $count }
+
+# Why an edit is impossible, without a full stop.
+edit-no-corner = there is no corner without an angular spring
+edit-no-brace = there is nothing left to brace
+edit-no-selection = nothing is selected
+edit-no-move = nothing is selected that could be moved
