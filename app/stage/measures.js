@@ -1,6 +1,7 @@
 // @ts-check
 /** The angle of a joint on the screen, and texts of angles and lengths. Arithmetic only. */
 import { wrapped } from "./draw.js";
+import { decimal } from "../words/words.js";
 
 /**
  * The direction of a joint's first spring and the angle to its second one on the screen, degrees anticlockwise; and the
@@ -27,10 +28,10 @@ export function jointAngles(plan, frame, joint) {
 }
 
 /** An angle as text; zero has no sign. @param {number} angle degrees */
-export const degrees = (angle) => `${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`.replace("-", "−");
+export const degrees = (angle) => decimal(`${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`.replace("-", "−"));
 
 /** A round length as text; parts of a metre in cm. @param {number} size @param {string} unit */
 export function lengthText(size, unit) {
   const inCm = unit === "m" && size < 1 && size >= 0.01;
-  return `${Number((inCm ? 100 * size : size).toPrecision(1))} ${inCm ? "cm" : unit}`;
+  return `${decimal(String(Number((inCm ? 100 * size : size).toPrecision(1))))} ${inCm ? "cm" : unit}`;
 }

@@ -8,6 +8,7 @@ import { make } from "../ui/dialog.js";
 import { copyAt } from "../ui/gui/plot.js";
 import { frameMarks } from "./sight.js";
 import { timeNow } from "../ui/clock.js";
+import { decimal } from "../words/words.js";
 
 /** Width and height of a plot over time on paper, px. */
 const PLOT = /** @type {const} */ ([700, 130]);
@@ -50,7 +51,7 @@ export function addPaper() {
     style.setProperty("--softrod-plots", String(curves.childElementCount));
     style.setProperty("--softrod-pairs", String(Math.ceil(curves.childElementCount / 2)));
     title.textContent = pageState().title ?? "";
-    time.textContent = `t = ${timeNow().toFixed(2)} s`;
+    time.textContent = `t = ${decimal(timeNow().toFixed(2))} s`;
     frameMarks(true);
   };
   matchMedia("print").addEventListener("change", ({ matches }) => (matches ? fill() : frameMarks(false)));

@@ -19,7 +19,7 @@ from sim.solve.registry import METHODS
 from ..session.session import Session
 from ..stage.colors import Palette
 from ..stage.plan import broken_of, yielded_of
-from ..words import find, say
+from ..words import decimal, find, say
 from ..words.keys import Key
 from ..words.settings import options_of
 
@@ -39,15 +39,15 @@ def short(value: float) -> str:
     """A round number in few characters, for the ends of a slider."""
     for size, letter in ((1e6, "M"), (1e3, "k")):
         if abs(value) >= size:
-            return f"{value / size:g}{letter}"
-    return f"{value:g}"
+            return decimal(f"{value / size:g}{letter}")
+    return decimal(f"{value:g}")
 
 
 def grouped(value: float) -> str:
     """A number with its thousands in groups, unless that is long."""
-    return (
-        f"{value:,.0f}" if 1e4 <= abs(value) < 1e9 else f"{value:.4g}".replace("e+0", "e").replace("e+", "e")
-    )
+    if 1e4 <= abs(value) < 1e9:
+        return decimal(f"{value:,.0f}")
+    return decimal(f"{value:.4g}".replace("e+0", "e").replace("e+", "e"))
 
 
 NEAR_THE_LIMIT = 0.8
@@ -121,7 +121,7 @@ def _meter(dt: float, limit: float, at_rest: bool) -> str:
     key: Key = "hud-step"
     if ratio >= 1.0:
         key = "hud-step.explodes" if at_rest else "hud-step.unstable"
-    words = html.escape(say(key, step=f"{1e3 * dt:.3g}", percent=f"{100.0 * ratio:.0f}"))
+    words = html.escape(say(key, step=decimal(f"{1e3 * dt:.3g}"), percent=f"{100.0 * ratio:.0f}"))
     bar = f"width:{width:.0f}%;background:var(--softrod-{color})"
     return f'<span class="softrod-meter"><i style="{bar}"></i></span>{words}'
 
@@ -181,7 +181,8 @@ def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[s
 
 def _tenths(value: float, unit: str) -> str:
     """A value with its unit; zero has no sign."""
-    return f"{round(value, 1) + 0.0:.1f}{'' if unit == '°' else ' '}{unit}".replace("-", "−")
+    number = decimal(f"{round(value, 1) + 0.0:.1f}".replace("-", "−"))
+    return f"{number}{'' if unit == '°' else ' '}{unit}"
 
 
 def table(rows: dict[str, str]) -> str:
@@ -193,10 +194,10 @@ def rates_table(session: Session) -> str:
     """How fast the simulation runs."""
     rates = session.pacer.rates(session.now())
     rows = {
-        say("rates-factor"): f"{rates.real_time_factor:.2f}",
+        say("rates-factor"): decimal(f"{rates.real_time_factor:.2f}"),
         say("rates-steps"): f"{rates.steps_per_second:.0f}",
         say("rates-solver"): f"{rates.solver_ms:.3f} ms",
-        say("rates-behind"): f"{rates.behind:.2f} s",
+        say("rates-behind"): decimal(f"{rates.behind:.2f} s"),
     }
     if METHODS[session.simulation.method].adaptive:
         rows[say("rates-rejected")] = f"{rates.rejected_per_second:.0f}"
@@ -266,10 +267,10 @@ def tuning_table(
         rows[say("tuning-fastest")] = _vibration(found.fastest)
     if found.sag is not None:
         pull = say("tuning-sag") if any(scene.gravity) else say("tuning-sag.loads")
-        sag = f"{found.sag:.3g} {html.escape(scene.view.unit)}"
+        sag = decimal(f"{found.sag:.3g}") + f" {html.escape(scene.view.unit)}"
         rows[pull] = say("tuning-sag.value", sag=sag, mass=str(found.sag_mass))
     for method, step in found.stable_steps.items():
-        limit = say("tuning-stable", step=f"{1e3 * step:.3g}")
+        limit = say("tuning-stable", step=decimal(f"{1e3 * step:.3g}"))
         rows[options_of("method")[method]] = limit if math.isfinite(step) else say("tuning-stable.always")
     alone = found.springs
     if len(alone.frequency):
@@ -307,14 +308,14 @@ def _rate(frequency: float, ratio: float) -> str:
     """A frequency, its period, and a damping ratio."""
     if not frequency > 0.0:
         return say("tuning-rate.none")
-    hertz, period = f"{frequency:.3g}", _duration(1.0 / frequency)
+    hertz, period = decimal(f"{frequency:.3g}"), _duration(1.0 / frequency)
     if ratio < 1e-4:
         return say("tuning-rate.undamped", frequency=hertz, period=period)
     return say("tuning-rate", frequency=hertz, period=period, ratio=f"{ratio:.2g}")
 
 
 def _duration(seconds: float) -> str:
-    return f"{seconds:.3g} s" if seconds >= 0.1 else f"{1e3 * seconds:.3g} ms"
+    return decimal(f"{seconds:.3g} s" if seconds >= 0.1 else f"{1e3 * seconds:.3g} ms")
 
 
 def ghost_table(session: Session) -> str:
@@ -327,8 +328,8 @@ def ghost_table(session: Session) -> str:
     unit = html.escape(session.scene.view.unit)
     rows = {
         say("ghost-title"): html.escape(ghost.label),
-        say("ghost-distance"): f"{ghost.distance:.3g} {unit}",
-        say("ghost-worst"): f"{ghost.worst:.3g} {unit}",
+        say("ghost-distance"): decimal(f"{ghost.distance:.3g}") + f" {unit}",
+        say("ghost-worst"): decimal(f"{ghost.worst:.3g}") + f" {unit}",
         say("ghost-solver"): f"{1e3 * ghost.cost:.3f} ms",
     }
     if session.predictability is not None and session.predictability.growth is not None:

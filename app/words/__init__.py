@@ -19,7 +19,7 @@ from functools import cache
 from pathlib import Path
 
 from babel.lists import format_list
-from babel.numbers import format_decimal
+from babel.numbers import format_decimal, get_decimal_symbol
 from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast, serialize
 from fluent.syntax.serializer import FluentSerializer
@@ -133,6 +133,12 @@ def number(value: float, digits: int = 3) -> str:
     """A number with some significant digits at most, as the language that is spoken now writes it."""
     rounded = float(f"{value:.{digits}g}")
     return format_decimal(rounded, "#0.############", _locale(_now.get()))
+
+
+def decimal(text: str) -> str:
+    """A number that is written in English, as it is written in the language that is spoken now."""
+    point = get_decimal_symbol(_locale(_now.get()))
+    return text if point == "." else text.translate({ord(","): "\u202f", ord("."): point})
 
 
 def listed(items: Sequence[str]) -> str:

@@ -25,6 +25,16 @@ export const languages = () =>
 const bundle = new FluentBundle(language, { useIsolating: direction === "rtl" });
 bundle.addResource(new FluentResource(words.text));
 
+/** What stands before the decimals. */
+export const POINT = (new Intl.NumberFormat(words.language).formatToParts(1.5).find(({ type }) => type === "decimal") || { value: "." }).value;
+
+/** A number that is written with a point as the page's language writes it. @param {string} text */
+export const decimal = (text) => text.replace(".", POINT);
+
+/** A text as it is searched: in lower case, without accents, of the same length. @param {string} text */
+export const folded = (text) =>
+  [...text.toLocaleLowerCase(words.language)].map((letter) => letter.normalize("NFD")[0].replace("\u2019", "'").padEnd(letter.length)).join("");
+
 /**
  * A text in the page's language, or its key where it is not there.
  *

@@ -14,7 +14,20 @@ from websockets.http11 import Request
 from app import words
 from app.gate.gate import language_of
 from app.pages.sandbox.assets import page_in
-from app.words import ENGLISH, PSEUDO, choose, find, language, languages, of_script, say, speaking
+from app.words import (
+    ENGLISH,
+    PSEUDO,
+    choose,
+    decimal,
+    find,
+    language,
+    languages,
+    listed,
+    number,
+    of_script,
+    say,
+    speaking,
+)
 from tests.page.generate import texts
 from tests.words import wrong
 
@@ -107,7 +120,7 @@ def test_a_page_has_the_words_of_its_script_in_its_language_and_no_others() -> N
     page = gzip.decompress(page_in("/class", "de").content).decode()
     assert '<html lang="de">' in page and "JavaScript ist" not in page
     words = re.search(r'<script type="text/plain" id="words" lang="de"[^>]*>(.*?)</script>', page, re.S)
-    assert words and "line-away" in words[1] and "class-title" not in words[1]
+    assert words and "line-away" in words[1] and "check-good" not in words[1]
     assert "{say" not in page
 
 
@@ -127,3 +140,11 @@ def test_a_page_without_words_has_places_that_its_script_fills() -> None:
 def test_keys_are_found_in_a_script_as_strings() -> None:
     script = 'const a = say("line-away"), b = {x: "class-title.hint"}, c = "no-such-key";'
     assert re.findall(r"^[a-z-]+(?= =)", of_script(script, ENGLISH), re.M) == ["class-title", "line-away"]
+
+
+def test_numbers_are_written_as_the_language_does() -> None:
+    assert (decimal("1,234.5"), number(2 / 3)) == ("1,234.5", "0.667")
+    assert listed(["a", "b", "c"]) == "a, b and c"
+    with speaking("de"):
+        assert (decimal("1,234.5"), number(2 / 3)) == ("1\u202f234,5", "0,667")
+        assert listed(["a", "b", "c"]) == "a, b und c"

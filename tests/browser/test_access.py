@@ -72,3 +72,17 @@ def test_the_body_is_described_at_a_key_for_eyes_and_ears(open_page: OpenPage) -
     desk.until(lambda: "Nothing has changed since." in card.inner_text(), "it says what has changed")
     desk.page.keyboard.press("Escape")
     desk.until(lambda: not card.is_visible(), "Esc closes it")
+
+
+def test_a_german_page_reads_and_writes_numbers_with_a_comma(open_page: OpenPage) -> None:
+    desk = open_page("rope", path="/?lang=de")
+    box = desk.page.locator(".softrod-number").first
+    for typed, value, shown in (("1,5", 1.5, "1,5"), ("2.5", 2.5, "2,5"), ("1,125", 1.125, "1,125")):
+        box.fill(typed)
+        box.press("Enter")
+
+        def is_set(value: float = value) -> bool:
+            return {joint.rest_angle for joint in desk.session.scene.angular_springs} == {value}
+
+        desk.until(is_set, f"{typed} is read")
+        desk.until(lambda shown=shown: box.input_value() == shown, "it is shown so")

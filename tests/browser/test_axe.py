@@ -12,7 +12,7 @@ from playwright.sync_api import Page
 import sim
 from app.export.live.live import live_html
 from tests.amount import part_of
-from tests.browser.conftest import OpenPage, Visits
+from tests.browser.conftest import OpenPage, Serve, Visits
 from tests.browser.driver import Desk
 from tests.page.check import NODE, NPM
 
@@ -50,7 +50,7 @@ def access(desk: Desk) -> None:
 
 
 def edit(desk: Desk) -> None:
-    desk.page.keyboard.press("b")
+    desk.page.locator(".softrod-edit button").first.click()
     desk.page.locator("html[data-softrod-tool=build]").wait_for()
 
 
@@ -91,4 +91,11 @@ def test_nothing_is_found_in_a_live_file(visit: Visits, axe: str, tmp_path: Path
     file = tmp_path / "live.html"
     file.write_bytes(live_html(sim.Simulation(sim.load_scene(name)).capture())[0])
     page = visit(file.as_uri(), bypass_csp=True)
+    assert found(page, axe) == []
+
+
+@pytest.mark.parametrize("path", ["check", "video", "?as=seat&room=abcd", "?as=wall&room=abcd"])
+def test_nothing_is_found_on_pages_without_a_body(visit: Visits, serve: Serve, axe: str, path: str) -> None:
+    page = visit(f"{serve('rope').url}/{path}", bypass_csp=True)
+    page.wait_for_timeout(500)
     assert found(page, axe) == []

@@ -59,7 +59,7 @@ def test_everything_is_reached_with_the_tab_key_and_can_be_seen_to_be(open_page:
         )
         reached.add(name)
         assert outlined or not name, f"{name!r} has the focus, and does not show it"
-    for name in ("Reset", "Back 1 second", "Back 1 frame", "Pause", "1 step", "Time shown", "Speed"):
+    for name in ("Reset", "Back 1 s", "Back 1 frame", "Pause", "1 step", "Time shown", "Speed"):
         assert name in reached
 
 

@@ -53,7 +53,7 @@ def test_the_bar_goes_back_and_on_from_there(open_page: OpenPage) -> None:
     desk.until(lambda: desk.simulation.time == end, "nothing is lost: it is back at the end")
     assert (desk.simulation.positions == last).all()
 
-    desk.button("Back 1 second").click()
+    desk.button("Back 1 s").click()
     desk.until(lambda: abs(desk.simulation.time - end + 1.0) < 0.05, "one second back")
     desk.tell(commands.SetValue("rest_angle", -12.0))
     desk.button("Go on from here").click()

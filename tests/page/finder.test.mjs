@@ -1,6 +1,7 @@
 // @ts-check
 /** What is found by its name, and which of it was searched for. */
 import assert from "node:assert/strict";
+import { folded } from "../../app/words/words.js";
 import test from "node:test";
 import { matching, partsOf } from "../../app/ui/gui/finder.js";
 
@@ -27,4 +28,9 @@ test("what was searched for is every second part, in the letters of the name", (
   assert.deepEqual(partsOf("Bending stiffness", "st bend"), ["", "Bend", "ing ", "st", "iffness"]);
   assert.deepEqual(partsOf("stst", "st sts"), ["", "sts", "t"]);
   assert.deepEqual(partsOf("Jelly", ""), ["Jelly"]);
+});
+
+test("accents and capitals do not matter", () => {
+  assert.equal(folded("Énergie Ångström l’été"), "energie angstrom l'ete");
+  assert.equal(folded("ﬀ ß 🙂").length, "ﬀ ß 🙂".length);
 });

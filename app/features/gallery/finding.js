@@ -1,5 +1,6 @@
 // @ts-check
 /** How scenes on cards are searched, and where arrows lead among them: in the page's gallery, and in one that is a site. */
+import { folded } from "../../words/words.js";
 
 /**
  * Whether a scene is one that is searched for: each word is in its title, its name or what it shows.
@@ -8,8 +9,8 @@
  * @param {string} wanted
  */
 export function isFound({ name, title, text, group }, wanted) {
-  const all = `${title} ${name} ${text} ${group}`.toLowerCase();
-  return wanted.toLowerCase().split(/\s+/).every((word) => all.includes(word));
+  const all = folded(`${title} ${name} ${text} ${group}`);
+  return folded(wanted).split(/\s+/).every((word) => all.includes(word));
 }
 
 /**

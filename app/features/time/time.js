@@ -9,7 +9,7 @@ import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { perform } from "../../wire/perform.js";
 import { barOf } from "./span.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** Three dots: on a phone they show the rest of the bar. */
 const MORE = "M5 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM12 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6zM19 10.2a1.8 1.8 0 1 1 0 3.6 1.8 1.8 0 0 1 0-3.6z";
@@ -135,7 +135,7 @@ function timeSlider() {
   slider.addEventListener("pointermove", ({ clientX, pointerType }) => {
     const { left, width } = slider.getBoundingClientRect();
     const part = Math.min(Math.max((clientX - left) / width, 0), 1);
-    slider.title = pointerType === "mouse" ? `${bar.time(bar.low + part * (Number(slider.max) - bar.low)).toFixed(1)} s` : "";
+    slider.title = pointerType === "mouse" ? `${decimal(bar.time(bar.low + part * (Number(slider.max) - bar.low)).toFixed(1))} s` : "";
   });
   /** @param {number} now */
   const show = (now) => {
@@ -147,7 +147,7 @@ function timeSlider() {
     slider.max = String(last);
     const comes = now === put.at && performance.now() < put.until && !pageState().playing;
     if (!held && !comes) slider.value = String(bar.position(now));
-    slider.ariaValueText = say("time-shown.said", { seconds: now.toFixed(2) });
+    slider.ariaValueText = say("time-shown.said", { seconds: decimal(now.toFixed(2)) });
   };
   return { element: slider, show };
 }
@@ -161,7 +161,7 @@ function offers() {
     const { offer, future, scrubbed, start = 0 } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
-    const lost = scrubbed && start > 0 ? say("time-lost", { seconds: start.toFixed(1) }) : "";
+    const lost = scrubbed && start > 0 ? say("time-lost", { seconds: decimal(start.toFixed(1)) }) : "";
     past.textContent = future ? say("time-past") : lost;
   };
   return { element: line, show };
@@ -194,7 +194,7 @@ function begin() {
   const show = () => {
     const now = timeNow();
     const past = pageState().scrubbed;
-    clock.textContent = `${now.toFixed(2)} s`;
+    clock.textContent = `${decimal(now.toFixed(2))} s`;
     time.show(now);
     dress(play, pageState().playing ? FACES.pause : past ? FACES.goOn : FACES.play);
     dress(forward, past ? FACES.forward : FACES.step);

@@ -36,6 +36,7 @@ export function addWall(picture) {
   const side = make("aside", "softrod-class softrod-wall-side");
   const corner = untranslated(make("div", "softrod-class softrod-wall-corner"));
   document.body.append(side);
+  element("stage", HTMLElement).prepend(make("h1", "softrod-tell", say("class-title")));
   element("stage", HTMLElement).append(corner);
   const bench = new Bench(make("div", ""), () => false);
   const predictions = new Predictions(picture);
@@ -90,7 +91,7 @@ export function addWall(picture) {
     predictions.show([]);
     reveal.show([], [], "", []);
     wall = null;
-    side.replaceChildren(make("h1", "", say("class-over")));
+    side.replaceChildren(make("h2", "", say("class-over")));
     corner.replaceChildren();
     hangUp();
   });
@@ -129,18 +130,18 @@ function content(wall) {
   if (phase === "ask" || phase === "results" || phase === "run") {
     // The run has its plot here.
     if (given && phase !== "run") parts.push(make("p", "softrod-wall-given", given));
-    if (asked) parts.push(make("h1", "", asked));
+    if (asked) parts.push(make("h2", "", asked));
     if (phase === "run" && runs) parts.push(make("p", "softrod-wall-given", say("wall-now", { runs })));
-    if (predict > 0) parts.push(make(asked ? "p" : "h1", "", say("wall-where", { seconds: String(predict) })));
+    if (predict > 0) parts.push(make(asked ? "p" : "h2", "", say("wall-where", { seconds: String(predict) })));
     if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
   }
   if (phase === "reveal") {
     if (right >= 0) parts.push(make("p", choices[right].length <= SHORT ? "softrod-wall-number" : "softrod-wall-number softrod-long", choices[right]));
-    if (because) parts.push(make("h1", "softrod-wall-because", because));
+    if (because) parts.push(make("h2", "softrod-wall-because", because));
     if (question && bars.length) parts.push(voteBars(choices, bars, right));
     parts.push(make("p", "softrod-wall-rest", say("wall-next")));
   }
-  if (phase === "explain") parts.push(make("h1", "", say("class-why")));
+  if (phase === "explain") parts.push(make("h2", "", say("class-why")));
   if (OWN_BODY.has(phase)) {
     // The plot needs the room.
     if (!found.length) parts.push(make("p", "", asking.do));

@@ -255,7 +255,7 @@ class Button extends Control {
     this.text = make("span", "softrod-press-text");
     this.word = make("span", "");
     this.note = make("small", "");
-    this.text.append(this.word, this.note);
+    this.text.append(this.word, " ", this.note);
     this.button.append(this.icon, this.text);
     this.element.append(this.button);
   }
@@ -267,7 +267,6 @@ class Button extends Control {
     const { place = "", note = "", picture = "" } = this.look;
     setText(this.word, label);
     setText(this.note, note);
-    if (note) this.button.ariaLabel = label;
     this.showPicture(picture, icon);
     this.button.title = hint ?? (place === "beside" ? label : "");
     this.button.disabled = disabled === true;

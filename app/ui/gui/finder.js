@@ -2,7 +2,7 @@
 /** "Find anything": commands, the controls of the panel with their values, and scenes, by parts of their names. */
 import { answer, takeOver } from "../../wire/channel.js";
 import { iconHtml, make } from "../dialog.js";
-import { say } from "../../words/words.js";
+import { folded, say } from "../../words/words.js";
 
 /**
  * @typedef {object} Found
@@ -22,10 +22,10 @@ import { say } from "../../words/words.js";
  * @returns {E[]}
  */
 export function matching(entries, text) {
-  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
+  const words = folded(text).split(/\s+/).filter(Boolean);
   /** @param {E} entry */
   const rank = ({ name, also = "" }) => {
-    const [low, more] = [name.toLowerCase(), ` ${also.toLowerCase()}`];
+    const [low, more] = [folded(name), ` ${folded(also)}`];
     if (words.every((word) => low.includes(word))) return words.length && low.startsWith(words[0]) ? 0 : 1;
     return words.every((word) => low.includes(word) || more.includes(` ${word}`)) ? 2 : 3;
   };
@@ -46,8 +46,8 @@ const ICONS = {
  * @param {string} name @param {string} text
  */
 export function partsOf(name, text) {
-  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const low = name.toLowerCase();
+  const words = folded(text).split(/\s+/).filter(Boolean);
+  const low = folded(name);
   const parts = [];
   let at = 0;
   while (at < name.length) {

@@ -6,7 +6,7 @@
  */
 import { grouped } from "../numerals.js";
 import { make, makeButton } from "../dialog.js";
-import { say } from "../../words/words.js";
+import { POINT, decimal, say } from "../../words/words.js";
 import { visit } from "./control.js";
 
 /** Milliseconds without a key before the number is set. */
@@ -14,8 +14,11 @@ const PAUSE = 2000;
 /** Characters of an unreadable text that are shown to the user. */
 const SHOWN = 40;
 
-/** A comma that may be a decimal comma or separate thousands, and a point that may: few write a decimal that ends with a nought. */
-const AMBIGUOUS = /^[+-]?[1-9]\d{0,2}(,\d{3}|\.\d\d0)$/;
+/**
+ * A sign that may stand before decimals or separate thousands. The one that stands before them in the page's language does,
+ * unless the number ends with a nought, which few write.
+ */
+const AMBIGUOUS = POINT === "," ? /^[+-]?[1-9]\d{0,2}(\.\d{3}|,\d\d0)$/ : /^[+-]?[1-9]\d{0,2}(,\d{3}|\.\d\d0)$/;
 const GROUPED = /^\d{1,3}([.,])\d{3}(\1\d{3})*$/;
 
 /**
@@ -38,7 +41,7 @@ export function readNumber(text) {
 }
 
 /** A number without an exponent, for a box. @param {number} number */
-export const plainText = (number) => number.toLocaleString("en-US", { useGrouping: false, maximumSignificantDigits: 15 });
+export const plainText = (number) => decimal(number.toLocaleString("en-US", { useGrouping: false, maximumSignificantDigits: 15 }));
 
 /**
  * @typedef {object} Range what a box allows; a bound that is null does not exist

@@ -6,7 +6,7 @@
 import { makeSvg } from "../../stage/svg.js";
 import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 import { Control, newId } from "./control.js";
 
 const TOP = 8;
@@ -38,7 +38,7 @@ export function ticks(low, high) {
 }
 
 /** A mark's text. @param {number} value */
-export const markText = (value) => String(Number(value.toPrecision(DIGITS))).replace("-", "−");
+export const markText = (value) => decimal(String(Number(value.toPrecision(DIGITS))).replace("-", "−"));
 
 /** A little more than the range of numbers; some range where there is none. @param {Iterable<number>} values */
 export function rangeOf(values) {
@@ -242,7 +242,7 @@ export class Plot extends Control {
     const told = new Map();
     for (const [{ label }, values] of this.lines) if (i >= 0 && Number.isFinite(values[i])) told.set(label, values[i]);
     const said = [...told].map(([label, value]) => `${label}: ${markText(Number(value.toPrecision(4)))}`);
-    this.values.textContent = time === null || !said.length ? "" : [`${times[i].toFixed(2)} s`, ...said].join(" · ");
+    this.values.textContent = time === null || !said.length ? "" : [`${decimal(times[i].toFixed(2))} s`, ...said].join(" · ");
   }
 
   /** @param {number} x px */

@@ -1,0 +1,13 @@
+access-title = Acceso e idioma
+access-language = Idioma
+    .hint = El de la página; los textos de las escenas y las lecciones se quedan en el suyo. Se conserva el cuerpo y lo que se puede deshacer.
+access-letters = Letras como teclas
+    .hint = Para quienes dictan sus textos o pulsan teclas sin querer. Las teclas con Ctrl, las flechas y Esc funcionan siempre.
+    .always = siempre
+    .body = mientras el cuerpo tiene el foco
+    .never = nunca
+access-larger = Más grande
+    .hint = Todo más grande y más marcado.
+access-still = Menos movimiento
+    .hint = El viento, las vistas y las marcas no se mueven solos. El cuerpo se mueve cuando se reproduce.
+access-kept = Este dispositivo conserva estos ajustes.

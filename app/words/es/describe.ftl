@@ -1,0 +1,147 @@
+describe-mass = { $count ->
+    [one] Una sola masa.
+   *[other] { $count } masas sueltas.
+}
+describe-chain = { $count ->
+    [one] Una cadena de { $masses } masas, con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+   *[other] { $count } cadenas de { $masses } masas, cada una con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+}
+describe-ring = { $count ->
+    [one] Un anillo de { $masses } masas, con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+   *[other] { $count } anillos de { $masses } masas, cada uno con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+}
+describe-tree = { $count ->
+    [one] Un árbol de { $masses } masas, con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+   *[other] { $count } árboles de { $masses } masas, cada uno con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+}
+describe-net = { $count ->
+    [one] Una red de { $masses } masas, con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } en { $loops ->
+        [one] una malla
+       *[other] { $loops } mallas
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+   *[other] { $count } redes de { $masses } masas, cada una con { $springs ->
+        [one] un resorte
+       *[other] { $springs } resortes
+    } en { $loops ->
+        [one] una malla
+       *[other] { $loops } mallas
+    } y { $joints ->
+        [0] sin articulaciones
+        [one] una articulación
+       *[other] { $joints } articulaciones
+    }.
+}
+
+describe-free = Nada lo sujeta.
+describe-held = Está sujeto por la masa { $mass }, { $side ->
+    [left] en su extremo izquierdo
+    [right] en su extremo derecho
+    [top] en lo alto
+    [bottom] en lo más bajo
+    [leftTop] arriba a la izquierda
+    [rightTop] arriba a la derecha
+    [leftBottom] abajo a la izquierda
+    [rightBottom] abajo a la derecha
+   *[inside] entre sus extremos
+}.
+describe-held-many = Hay { $count } masas fijas: { $masses }.
+describe-held-most = Hay { $count } masas fijas.
+
+describe-lies = Mide { $width } de ancho y { $height } de alto.
+describe-hangs = Su masa más baja, la { $mass }, está { $depth } por debajo de la masa fija más alta.
+
+describe-still = Está en reposo.
+describe-moves = Su masa más rápida, la { $mass }, se mueve { $way } a { $speed }.
+describe-drifts = En conjunto se mueve { $whole } a { $speed }.
+describe-turns = Gira { $sense ->
+    [clockwise] en sentido horario
+   *[counterclockwise] en sentido antihorario
+} { $degrees } grados por segundo.
+describe-way = { $way ->
+    [right] hacia la derecha
+    [upRight] hacia arriba a la derecha
+    [up] hacia arriba
+    [upLeft] hacia arriba a la izquierda
+    [left] hacia la izquierda
+    [downLeft] hacia abajo a la izquierda
+    [down] hacia abajo
+   *[downRight] hacia abajo a la derecha
+}
+
+describe-stretched = El resorte { $spring } es el más estirado, un { $percent } %.
+describe-squeezed = El resorte { $spring } es el más comprimido, un { $percent } %.
+describe-touching = { $count ->
+    [one] Una masa toca algo.
+   *[other] { $count } masas tocan algo.
+}
+describe-broken = { $count ->
+    [one] Hay un resorte roto.
+   *[other] Hay { $count } resortes rotos.
+}
+describe-yielded = { $count ->
+    [one] Un resorte o una articulación tiene una deformación permanente.
+   *[other] { $count } resortes y articulaciones tienen una deformación permanente.
+}
+
+describe-swings = Por sí solo, hace una oscilación cada { $period } segundos y pierde un { $percent } % en cada una.
+describe-swings-on = Por sí solo, hace una oscilación cada { $period } segundos y apenas pierde nada.
+
+describe-same = Desde entonces no ha cambiado nada.
+describe-moved = Desde entonces se ha movido { $length } { $way }.
+describe-broke = { $count ->
+    [one] Desde entonces se ha roto un resorte.
+   *[other] Desde entonces se han roto { $count } resortes.
+}
+describe-built = Desde entonces se ha modificado.
+
+describe-title = Descripción
+describe-close = Cerrar la descripción

@@ -1,0 +1,15 @@
+lesson-card = Lección
+lesson-right = Es correcto.
+lesson-answer = La respuesta es: { $choice }.
+lesson-count = { $at } de { $count }
+lesson-check = Comprobar
+lesson-next = Paso siguiente
+    .first = Volver al paso 1
+lesson-do = Haz esto:
+lesson-watch = Observa:
+lesson-back = Atrás
+lesson-again = Repetir
+    .hint = empezar de nuevo este paso
+lesson-fails = Este paso no puede empezar
+lesson-closed = Una clase está haciendo ahora esta lección
+    .text = Aquí está solo su cuerpo; los pasos vienen con la clase.

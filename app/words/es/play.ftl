@@ -1,0 +1,11 @@
+play-scene = Escena
+    .hint = elegir otra escena (tecla O)
+    .note = Elegir otra escena
+play-anew = Abrir de nuevo
+    .hint = abrir de nuevo esta escena
+play-follow = Seguir el puntero
+    .hint = tecla F
+play-more = Más números
+play-own = Valores originales de la escena
+play-held = Todas las masas de esta escena están fijas.
+    .edit = Todas las masas de esta escena están fijas. Pulsa «Editar» (E) para construir más, o selecciona una masa y suéltala.

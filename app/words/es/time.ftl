@@ -1,0 +1,10 @@
+time-bar = Tiempo
+    .more = Más sobre el tiempo
+time-go-on = Seguir desde aquí
+    .word = Seguir
+time-speed = Velocidad
+    .hint = Segundos simulados por segundo
+time-shown = Instante mostrado
+    .said = { $seconds } segundos
+time-lost = Antes de { $seconds } s ocurrieron demasiadas cosas para conservarlas todas.
+time-past = La línea fina es lo que ocurrió antes de que retrocedieras.

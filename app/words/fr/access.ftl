@@ -1,0 +1,13 @@
+access-title = Accès et langue
+access-language = Langue
+    .hint = Celle de la page ; les textes des scènes et des leçons restent dans la leur. L’objet est gardé, et l’on peut toujours annuler.
+access-letters = Lettres comme touches
+    .hint = Pour qui dicte ses textes ou appuie sur des touches par erreur. Les touches avec Ctrl, les flèches et Échap agissent toujours.
+    .always = toujours
+    .body = tant que l’objet a le focus
+    .never = jamais
+access-larger = Plus grand
+    .hint = Tout en plus grand et en plus gras.
+access-still = Moins de mouvement
+    .hint = Le vent, les vues et les repères ne bougent pas d’eux-mêmes. L’objet bouge quand on lance la simulation.
+access-kept = Cet appareil garde ces réglages.

@@ -1,0 +1,147 @@
+describe-mass = { $count ->
+    [one] Une masse isolée.
+   *[other] { $count } masses isolées.
+}
+describe-chain = { $count ->
+    [one] Une chaîne de { $masses } masses, avec { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+   *[other] { $count } chaînes de { $masses } masses, avec pour chacune { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+}
+describe-ring = { $count ->
+    [one] Un anneau de { $masses } masses, avec { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+   *[other] { $count } anneaux de { $masses } masses, avec pour chacun { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+}
+describe-tree = { $count ->
+    [one] Un arbre de { $masses } masses, avec { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+   *[other] { $count } arbres de { $masses } masses, avec pour chacun { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+}
+describe-net = { $count ->
+    [one] Un filet de { $masses } masses, avec { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } en { $loops ->
+        [one] une seule maille
+       *[other] { $loops } mailles
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+   *[other] { $count } filets de { $masses } masses, avec pour chacun { $springs ->
+        [one] un ressort
+       *[other] { $springs } ressorts
+    } en { $loops ->
+        [one] une seule maille
+       *[other] { $loops } mailles
+    } et { $joints ->
+        [0] sans articulation
+        [one] une articulation
+       *[other] { $joints } articulations
+    }.
+}
+
+describe-free = Rien ne tient l’objet.
+describe-held = L’objet est fixé à la masse { $mass }, { $side ->
+    [left] à son extrémité gauche
+    [right] à son extrémité droite
+    [top] en haut
+    [bottom] en bas
+    [leftTop] en haut à gauche
+    [rightTop] en haut à droite
+    [leftBottom] en bas à gauche
+    [rightBottom] en bas à droite
+   *[inside] entre ses extrémités
+}.
+describe-held-many = { $count } masses sont fixées : { $masses }.
+describe-held-most = { $count } masses sont fixées.
+
+describe-lies = L’objet mesure { $width } de large et { $height } de haut.
+describe-hangs = La masse { $mass }, la plus basse, est { $depth } plus bas que la plus haute des masses fixées.
+
+describe-still = L’objet est au repos.
+describe-moves = La masse { $mass }, la plus rapide, se déplace { $way } à { $speed }.
+describe-drifts = Dans l’ensemble, l’objet se déplace { $whole } à { $speed }.
+describe-turns = Il tourne { $sense ->
+    [clockwise] dans le sens des aiguilles d’une montre
+   *[counterclockwise] dans le sens inverse des aiguilles d’une montre
+}, de { $degrees } degrés par seconde.
+describe-way = { $way ->
+    [right] vers la droite
+    [upRight] vers le haut et la droite
+    [up] vers le haut
+    [upLeft] vers le haut et la gauche
+    [left] vers la gauche
+    [downLeft] vers le bas et la gauche
+    [down] vers le bas
+   *[downRight] vers le bas et la droite
+}
+
+describe-stretched = Le ressort { $spring } est le plus étiré, de { $percent } %.
+describe-squeezed = Le ressort { $spring } est le plus comprimé, de { $percent } %.
+describe-touching = { $count ->
+    [one] Une masse touche quelque chose.
+   *[other] { $count } masses touchent quelque chose.
+}
+describe-broken = { $count ->
+    [one] Un ressort est cassé.
+   *[other] { $count } ressorts sont cassés.
+}
+describe-yielded = { $count ->
+    [one] Un ressort ou une articulation garde une déformation permanente.
+   *[other] { $count } ressorts et articulations gardent une déformation permanente.
+}
+
+describe-swings = Laissé à lui-même, l’objet fait une oscillation en { $period } secondes et perd { $percent } % à chaque oscillation.
+describe-swings-on = Laissé à lui-même, l’objet fait une oscillation en { $period } secondes et ne perd presque rien.
+
+describe-same = Rien n’a changé depuis.
+describe-moved = Depuis, l’objet s’est déplacé { $way } de { $length }.
+describe-broke = { $count ->
+    [one] Depuis, un ressort s’est cassé.
+   *[other] Depuis, { $count } ressorts se sont cassés.
+}
+describe-built = Depuis, l’objet a été modifié.
+
+describe-title = Description
+describe-close = Fermer la description

@@ -1,0 +1,15 @@
+lesson-card = Leçon
+lesson-right = C’est juste.
+lesson-answer = La réponse est : { $choice }.
+lesson-count = { $at } sur { $count }
+lesson-check = Vérifier
+lesson-next = Continuer
+    .first = À l’étape 1
+lesson-do = À faire :
+lesson-watch = Observe :
+lesson-back = Retour
+lesson-again = Refaire
+    .hint = recommencer cette étape
+lesson-fails = Cette étape ne peut pas commencer
+lesson-closed = Une classe suit cette leçon en ce moment
+    .text = Il n’y a ici que son objet ; les étapes viennent avec la séance.

@@ -1,0 +1,11 @@
+play-scene = Scène
+    .hint = choisir une autre scène (touche O)
+    .note = Choisir une autre scène
+play-anew = Rouvrir
+    .hint = rouvrir cette scène depuis le début
+play-follow = Suivre le pointeur
+    .hint = touche F
+play-more = Plus de nombres
+play-own = Valeurs de la scène
+play-held = Toutes les masses de cette scène sont fixées.
+    .edit = Toutes les masses de cette scène sont fixées. Appuie sur « Modifier » (E) pour continuer à construire, ou sélectionne une masse et libère-la.

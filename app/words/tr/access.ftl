@@ -1,0 +1,13 @@
+access-title = Erişilebilirlik ve dil
+access-language = Dil
+    .hint = Sayfanın dili; sahnelerin ve derslerin metinleri kendi dillerinde kalır. Cisim ve geri alınabilenler korunur.
+access-letters = Tuş olarak harfler
+    .hint = Metinlerini sesle yazdıranlar veya tuşlara yanlışlıkla basanlar için. Ctrl ile kullanılan tuşlar, oklar ve Esc her zaman çalışır.
+    .always = her zaman
+    .body = odak cisimdeyken
+    .never = hiçbir zaman
+access-larger = Daha büyük
+    .hint = Her şey daha büyük ve daha kalın.
+access-still = Daha az hareket
+    .hint = Rüzgâr, görünümler ve işaretler kendiliğinden hareket etmez. Cisim, oynatılınca hareket eder.
+access-kept = Bu cihaz bu ayarları saklar.

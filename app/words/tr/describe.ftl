@@ -1,0 +1,109 @@
+describe-mass = { $count ->
+    [one] Tek başına bir kütle.
+   *[other] Tek başına { $count } kütle.
+}
+describe-chain = { $count ->
+    [one] Bir zincir: { $masses } kütle, { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+   *[other] { $count } zincir, her birinde: { $masses } kütle, { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+}
+describe-ring = { $count ->
+    [one] Bir halka: { $masses } kütle, { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+   *[other] { $count } halka, her birinde: { $masses } kütle, { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+}
+describe-tree = { $count ->
+    [one] Bir ağaç: { $masses } kütle, { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+   *[other] { $count } ağaç, her birinde: { $masses } kütle, { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+}
+describe-net = { $count ->
+    [one] Bir ağ: { $masses } kütle, { $loops } göz oluşturan { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+   *[other] { $count } ağ, her birinde: { $masses } kütle, { $loops } göz oluşturan { $springs } yay, { $joints ->
+        [0] eklem yok
+       *[other] { $joints } eklem
+    }.
+}
+
+describe-free = Cismi hiçbir şey tutmuyor.
+describe-held = Cisim { $mass } numaralı kütlesinden, { $side ->
+    [left] sol ucundan
+    [right] sağ ucundan
+    [top] üstünden
+    [bottom] altından
+    [leftTop] sol üstünden
+    [rightTop] sağ üstünden
+    [leftBottom] sol altından
+    [rightBottom] sağ altından
+   *[inside] uçlarının arasından
+} tutuluyor.
+describe-held-many = { $count } kütle sabitlenmiş: { $masses }.
+describe-held-most = { $count } kütle sabitlenmiş.
+
+describe-lies = Genişliği { $width }, yüksekliği { $height }.
+describe-hangs = En alttaki kütlesi, { $mass } numaralı olan, sabitlenmişlerin en yükseğinden { $depth } aşağıda.
+
+describe-still = Cisim hareketsiz.
+describe-moves = En hızlı kütlesi, { $mass } numaralı olan, { $way } { $speed } süratle hareket ediyor.
+describe-drifts = Cisim bütün olarak { $whole } { $speed } süratle hareket ediyor.
+describe-turns = { $sense ->
+    [clockwise] Saat yönünde
+   *[counterclockwise] Saat yönünün tersine
+} saniyede { $degrees } derece dönüyor.
+describe-way = { $way ->
+    [right] sağa doğru
+    [upRight] sağ yukarıya doğru
+    [up] yukarıya doğru
+    [upLeft] sol yukarıya doğru
+    [left] sola doğru
+    [downLeft] sol aşağıya doğru
+    [down] aşağıya doğru
+   *[downRight] sağ aşağıya doğru
+}
+
+describe-stretched = En çok { $spring } numaralı yay gerilmiş: %{ $percent } uzamış.
+describe-squeezed = En çok { $spring } numaralı yay sıkışmış: %{ $percent } kısalmış.
+describe-touching = { $count ->
+    [one] Bir kütle bir şeye değiyor.
+   *[other] { $count } kütle bir şeye değiyor.
+}
+describe-broken = { $count ->
+    [one] Bir yay kopmuş.
+   *[other] { $count } yay kopmuş.
+}
+describe-yielded = { $count ->
+    [one] Bir yay veya eklem kalıcı biçim değiştirmiş.
+   *[other] { $count } yay ve eklem kalıcı biçim değiştirmiş.
+}
+
+describe-swings = Kendi hâline bırakılırsa { $period } saniyede bir salınım yapar ve her salınımda genliği %{ $percent } azalır.
+describe-swings-on = Kendi hâline bırakılırsa { $period } saniyede bir salınım yapar ve genliği neredeyse hiç azalmaz.
+
+describe-same = O zamandan beri hiçbir şey değişmedi.
+describe-moved = O zamandan beri { $way } { $length } gitti.
+describe-broke = { $count ->
+    [one] O zamandan beri bir yay koptu.
+   *[other] O zamandan beri { $count } yay koptu.
+}
+describe-built = O zamandan beri değiştirildi.
+
+describe-title = Betimleme
+describe-close = Betimlemeyi kapat

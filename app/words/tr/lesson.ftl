@@ -1,0 +1,15 @@
+lesson-card = Ders
+lesson-right = Doğru.
+lesson-answer = Doğru cevap: { $choice }.
+lesson-count = { $at } / { $count }
+lesson-check = Kontrol et
+lesson-next = Sonraki adım
+    .first = 1. adıma dön
+lesson-do = Yap:
+lesson-watch = İzle:
+lesson-back = Geri
+lesson-again = Baştan başla
+    .hint = bu adıma yeniden başla
+lesson-fails = Bu adım başlayamıyor
+lesson-closed = Şu anda bir sınıf bu dersi işliyor
+    .text = Burada yalnızca dersin cismi var; adımlar sınıfla birlikte gelir.

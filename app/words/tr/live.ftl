@@ -1,0 +1,130 @@
+live-picture = Bu bir resim: burada betikler çalışmaz. Dosyayı bir web tarayıcısında aç, hareket etsin.
+live-too-old = Bu tarayıcı dosyayı gösteremiyor; daha yeni bir tarayıcı gösterebilir.
+live-play = Oynat
+live-pause = Duraklat
+live-speed = Hız
+
+replay-again = Yeniden oynat
+replay-time = Gösterilen zaman
+replay-too-old = Bu tarayıcı dosyayı oynatamıyor; daha yeni bir tarayıcı oynatabilir.
+
+live-exploded = Cisim patladı
+live-back = Patlamanın öncesine dön
+live-side = Kontroller ve sayılar
+live-lesson = Ders
+live-others = Diğer kaydırıcılar
+live-answers = Cevaplarını teslim et
+live-step = +1 adım
+live-time = Zaman
+live-reset = Sıfırla
+live-follow = İzle
+    .hint = İmleci izle
+live-view = Görünüm ve tuşlar
+
+live-arrow-left = Sol: serbest açılar daha küçük
+    .works = Sol: { $work }
+live-arrow-up = Yukarı: daha uzun
+    .works = Yukarı: { $work }
+live-arrow-down = Aşağı: daha kısa
+    .works = Aşağı: { $work }
+live-arrow-right = Sağ: serbest açılar daha büyük
+    .works = Sağ: { $work }
+live-work-motors = motorları döndür
+live-work-muscles = kasları çalıştır
+live-work-forces = kütleleri it
+
+live-notes = Bu dosyada { $notes }.
+live-note-verlet = cisim, hız Verlet yöntemiyle ve hata denetimi olmadan hareket eder
+live-note-shape = cismin biçimi değiştirilemez
+live-note-sliders = şunlar için kaydırıcı yoktur: { $settings }
+live-note-controls = derste şunlar ayarlanamaz: { $settings }
+live-note-plots = şunların grafikleri yoktur: { $quantities }
+live-note-ghost = karşılaştırılacak ikinci bir cisim yoktur
+live-note-arrows = oklar yoktur
+live-note-goals = bazı hedefler değerlendirilmez
+live-note-runs = deneme teslim edilmez
+
+live-stopped = durduruldu
+live-paused = duraklatıldı
+live-slowed = yavaşlatıldı: { $rate } × gerçek zaman
+live-broken = { $count } yay koptu
+live-yielded = { $count } yay kalıcı biçim değiştirdi
+live-limit = zaman adımı { $step } ms, sınırın %{ $part } kadarı
+    .over = zaman adımı { $step } ms, sınırın %{ $part } kadarı: kararsız
+
+live-joint = Eklem { $joint }
+    .angle = açı
+    .rest = serbest açı
+    .sine = sinüs
+    .cosine = kosinüs
+live-energy = Enerji, { $unit }
+    .kinetic = kinetik
+    .height = yükseklik
+    .linear = doğrusal yaylar
+    .angular = açısal yaylar
+
+live-cause =
+    .linear = { $step } s olan zaman adımı, doğrusal yayların belirlediği { $limit } s kararlılık sınırının üzerinde.
+    .angular = { $step } s olan zaman adımı, açısal yayların belirlediği { $limit } s kararlılık sınırının üzerinde.
+    .small = Zaman adımı kararlılık sınırının altında, ama bu sınır küçük hareketler için geçerli; cisim çok sert hareket ettirildi veya aşırı zorlanmış hâlde kuruldu.
+    .violent = Cisim çok sert hareket ettirildi veya aşırı zorlanmış hâlde kuruldu.
+
+live-downwards = { $quantity }, aşağı doğru
+live-over = yatay eksen: { $quantity }
+live-swing = { $reading }, periyot { $period } s, genlik { $amplitude }
+live-swings = Periyotlar { $periods } s; genlikler { $amplitudes }
+live-at = { $time } s anında: { $readings }
+
+live-own-words = Kendi sözcüklerinle:
+live-predict = Kütleleri { $time } s sonra olacakları yere sürükle. Sonra düğmeye bas.
+    .done = Burada olacak
+    .seen = İnce çizgi, { $time } s sonrası için tahminin.
+live-goal = Hedef: { $goal }.
+    .now = Hedef: { $goal }. Şimdi: { $reading }.
+    .reached = Ulaşıldı: { $goal }.
+
+live-leaves = Bu dosyadan kendiliğinden hiçbir şey gönderilmez. Öğretmenine dosyayı ver veya QR kodunu göster.
+live-name = Adın veya takma adın, öğretmenin isterse:
+live-save = Cevapları dosya olarak kaydet
+live-qr = Cevapların QR kodu
+    .text = QR kodu, altındaki metindir: { $letters } karakter.
+    .left = QR kodu, altındaki metindir: { $letters } karakter. Şunlar sığmadı: { $left }; dosyada hepsi var.
+live-left-prediction = { $step }. adımın tahmini
+live-left-line = { $step }. adımın cümlesi
+    .end = { $step }. adımın cümlesinin sonu
+
+live-dark = Koyu
+live-larger = Daha büyük, projeksiyon için
+live-keys-drag = bir kütle, sürüklediğin sürece tutulur; birkaç parmak birkaç kütleyi sürükler
+    .keys = sürükleme
+live-keys-play = oynat veya duraklat
+    .keys = Boşluk
+live-keys-step = bir adım
+live-keys-reset = sıfırla: cisim, kaydırıcılar olduğu gibi kalarak baştan başlar
+live-keys-follow = halkalı kütle imleci izler veya izlemeyi bırakır
+live-keys-longer = yaylar uzar veya kısalır
+    .keys = ↑ ↓ basılı
+live-keys-bent = serbest açılar büyür veya küçülür
+    .keys = → ← basılı
+live-keys-motors = motorlar ileri ve geri döner
+    .keys = oklar basılı
+live-keys-dark = koyu veya beyaz; daha büyük, projeksiyon için
+live-keys-body = cisme git: orada oklar bir kütle seçer, boşluk tuşu onu tutar, oklar onu hareket ettirir
+    .keys = Tab
+live-keys-help = bu yardım
+
+live-sheet-title = { $lesson }: öğretmen için
+live-sheet-needs = Yaklaşık { $minutes } dakika. Projeksiyonlu bir bilgisayar ile her öğrenciye veya iki öğrenciye bir telefon, tablet ya da bilgisayar gerekir. Başlatma komutu: { $command }; bir aşamadan ötekine { $next } düğmesiyle geçilir.
+live-sheet-next = Sonraki
+live-sheet-how = Sorun: herkes, birbirinin cevabını görmeden cevaplar. Neyin doğru olduğunu söylemeyin. Doğru cevaplar %35’in altındaysa konuyu yeniden anlatın; %70’e kadarsa öğrencileri ikişer ikişer konuşturup yeniden sorun. Hareketi başlatın, doğru cevabı gösterin, nedenini birer cümleyle yazdırın; sonra kendileri dener ve teslim ederler.
+live-sheet-ask = Soru
+live-sheet-predict = Tahmin
+    .text = Herkes soluk cismi { $time } s sonra olacağı yere sürükler.
+live-sheet-run = Hareket
+live-sheet-reveal = Doğru cevap
+live-sheet-try = Deneme
+live-sheet-watch = Gözlem
+live-sheet-goal = Hedef
+    .text = { $goal }.
+live-sheet-collect = Teslim
+    .text = { $reading }.

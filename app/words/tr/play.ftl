@@ -1,0 +1,11 @@
+play-scene = Sahne
+    .hint = başka bir sahne seç (O tuşu)
+    .note = Başka sahne seç
+play-anew = Yeniden aç
+    .hint = bu sahneyi yeniden aç
+play-follow = İmleci izle
+    .hint = F tuşu
+play-more = Daha fazla sayı
+play-own = Sahnenin kendi değerleri
+play-held = Bu sahnenin bütün kütleleri sabitlenmiş.
+    .edit = Bu sahnenin bütün kütleleri sabitlenmiş. Başka parçalar kurmak için “Düzenle” (E) düğmesine bas veya bir kütle seçip serbest bırak.

@@ -1,0 +1,10 @@
+time-bar = Zaman
+    .more = Zamanla ilgili diğerleri
+time-go-on = Buradan devam et
+    .word = Devam et
+time-speed = Hız
+    .hint = Gerçek bir saniyede benzetimde geçen saniye
+time-shown = Gösterilen zaman
+    .said = { $seconds } saniye
+time-lost = İlk { $seconds } s içinde, saklanamayacak kadar çok şey oldu.
+time-past = İnce çizgi, geri gitmenden önce olanları gösterir.
