@@ -8,7 +8,7 @@ from typing import Literal
 import sim
 from sim.settings import SETTINGS
 
-from ..words import say
+from ..words import number, say
 
 About = Literal["runaway", "shape"]
 
@@ -55,8 +55,7 @@ def shape_notice(error: sim.DesignError) -> Notice:
     if error.motion is not None:
         text += f" {say('session-no-shape.line')}"
     if error.stiffening is not None:
-        factor = float(f"{error.stiffening:.3g}")  # as the button has it
-        text += f" {say('session-no-shape.stiffen', times=f'{factor:g}')}"
+        text += f" {say('session-no-shape.stiffen', times=number(error.stiffening))}"
     return Notice("error", say("session-no-shape"), text, "shape")
 
 

@@ -14,7 +14,7 @@ import { floorOf } from "../../stage/dock.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { canvasBox } from "../../ui/viser/viser.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Act["what"]} Action */
 
@@ -139,7 +139,7 @@ class EditStrip {
     showIf(this.muscle, selected.springs.length + selected.joints.length > 0);
     const isNew = this.stiffen.hidden && stiffen > 0;
     showIf(this.stiffen, stiffen > 0);
-    this.stiffen.textContent = say("edit-stiffen", { times: String(Number(stiffen.toPrecision(3))) });
+    this.stiffen.textContent = say("edit-stiffen", { times: decimal(String(Number(stiffen.toPrecision(3)))) });
     this.rests.ariaPressed = String(takesNewLengths());
     this.announce();
     // If the button with the focus is gone or disabled.

@@ -1,7 +1,7 @@
 // @ts-check
 /** Shapes and levels of modes as feature.py encodes them, and where a shape places the masses. Arithmetic and words, without a page. */
 import { sections } from "../../wire/unpack.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /**
  * @typedef {object} Shape
@@ -68,7 +68,7 @@ export function posed({ rest, part, modes }, mode, amplitude, frames) {
 }
 
 /** A number with as many digits as are useful. @param {number} value @param {number} [digits] */
-export const few = (value, digits = 3) => String(Number(value.toPrecision(digits)));
+export const few = (value, digits = 3) => decimal(String(Number(value.toPrecision(digits))));
 
 /** A share of the energy in words. @param {number} share */
 export function percent(share) {

@@ -12,7 +12,7 @@
  * @typedef {{later: number, stretch: number, turn: number}} Way beats, a fraction, degrees
  */
 import { countMuscles, muscleAt, waveAt } from "../../stage/swing.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** Amplitude of a spring that reaches the edge of the strip, a fraction of its length, and the largest that there can be. */
 const FULL_STRETCH = 0.4;
@@ -197,5 +197,5 @@ export function nameOf({ joint, part, members, number }) {
 /** Amplitude and time of a muscle in words. @param {Mark} mark */
 export function inWords({ joint, amplitude, crest }) {
   const size = joint ? `${Math.round(amplitude)}°` : `${Math.round(100 * amplitude)} %`;
-  return say("muscles-moves", { size: `${amplitude > 0 ? "+" : ""}${size.replace("-", "−")}`, crest: crest.toFixed(2) });
+  return say("muscles-moves", { size: `${amplitude > 0 ? "+" : ""}${size.replace("-", "−")}`, crest: decimal(crest.toFixed(2)) });
 }

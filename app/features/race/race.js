@@ -15,7 +15,7 @@ import { redrawMarks } from "../../stage/sight.js";
 import { theGallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
@@ -125,12 +125,12 @@ function makeRace() {
       if (who.textContent !== name) who.textContent = name;
       const part = finish ? Math.max(0, Math.min(1, ways[i] / finish)) : 0;
       bar.style.transform = `scaleX(${(arrived[i] === null ? part : 1).toFixed(4)})`;
-      way.textContent = arrived[i] === null ? distance(ways[i] * Math.sign(finish)) : `${arrived[i]?.toFixed(2)} s`;
+      way.textContent = arrived[i] === null ? distance(ways[i] * Math.sign(finish)) : `${decimal(Number(arrived[i]).toFixed(2))} s`;
     });
     const begun = seconds > 0;
     const someoneIsThere = arrived.some((time) => time !== null);
     const isDecided = someoneIsThere || isOver(now);
-    const result = isDecided ? verdict(now) : say("race-so-far", { verdict: verdict(now), seconds: seconds.toFixed(1) });
+    const result = isDecided ? verdict(now) : say("race-so-far", { verdict: verdict(now), seconds: decimal(seconds.toFixed(1)) });
     const text = fair ? result : say("race-unfair", { verdict: result });
     const shown = begun ? text : say("race-at-start");
     if (says.textContent !== shown) says.textContent = shown;

@@ -1,7 +1,7 @@
 // @ts-check
 /** A race in words. Texts only, without a page. */
 import { pageState } from "../../wire/channel.js";
-import { language, say } from "../../words/words.js";
+import { decimal, language, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
@@ -30,7 +30,7 @@ export const fullRace = (race) => ({
 export function distance(way) {
   const exact = Math.abs(way);
   const size = exact < LEAST ? 0 : exact < 10 ? Number(exact.toPrecision(2)) : Math.round(exact);
-  return `${way < 0 && size ? "−" : ""}${size} ${pageState().unit ?? ""}`;
+  return `${way < 0 && size ? "−" : ""}${decimal(String(size))} ${pageState().unit ?? ""}`;
 }
 
 /** The names of all, which are different even if their scenes' are the same. @param {Required<Race>} race @returns {string[]} */
@@ -103,12 +103,12 @@ export function verdict(race, exactly = true) {
     const [first, next] = there;
     const best = Number(arrived[first]);
     const equal = there.filter((i) => arrived[i] === best);
-    const seconds = best.toFixed(2);
+    const seconds = decimal(best.toFixed(2));
     if (equal.length > 1 && isPair) return say("race-both", { seconds });
     if (equal.length > 1) return say("race-several", { names: listed(equal.map((i) => (i ? names[i] : say("race-yours")))), seconds });
     if (!isOver(race)) return say(next === undefined ? "race-is-first" : "race-was-first", { ...of(first), seconds });
     if (next === undefined) return say("race-alone", { ...of(first), fates: fates(dropped) });
-    const by = (Number(arrived[next]) - best).toFixed(2);
+    const by = decimal((Number(arrived[next]) - best).toFixed(2));
     if (isPair) return say("race-won", { ...of(first), seconds: by });
     return say("race-won-before", { ...of(first), seconds: by, next: names[next], nextOwn: next ? "no" : "yes" });
   }
