@@ -13,7 +13,9 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextvars import copy_context
+from typing import Any
 
 import viser
 
@@ -149,7 +151,7 @@ class Ticker:
         try:
             share = BUDGET * (CALM_FRAME if calm else self._frame) / computing
             with speaking(tab.language):
-                if tab.frame(share, self._workers.submit):
+                if tab.frame(share, self._beside):
                     tab.flush()
         except Exception:
             # The page left in the middle of a frame, or there is a defect: the other tabs continue.
@@ -158,6 +160,10 @@ class Ticker:
             tab.leave()
             with contextlib.suppress(Exception), speaking(tab.language):
                 tab.stop()
+
+    def _beside(self, work: Callable[..., Any], *arguments: Any, **named: Any) -> Future[Any]:
+        """Run work in another thread, which speaks the language that is spoken here."""
+        return self._workers.submit(copy_context().run, work, *arguments, **named)
 
     def _come_and_go(self) -> None:
         while self._arrivals_and_departures:

@@ -19,6 +19,8 @@ from sim.scene.types import shown_name
 from sim.settings import CHOICES, settings_of
 
 from ..stage.looks import SPEEDS
+from ..words import say
+from ..words.keys import Key
 from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
@@ -265,7 +267,7 @@ class Undo(Command):
     """Take back the last change of the scene; the motion continues."""
 
     def apply(self, session: Session, at: float) -> None:
-        _continue_at(session, session.versions.undo(session.simulation.capture()), "Redo")
+        _continue_at(session, session.versions.undo(session.simulation.capture()), "session-back.redo")
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_undo(session.simulation.capture().scene)
@@ -275,19 +277,19 @@ class Redo(Command):
     """Do again what was taken back last."""
 
     def apply(self, session: Session, at: float) -> None:
-        _continue_at(session, session.versions.redo(session.simulation.capture()), "Undo")
+        _continue_at(session, session.versions.redo(session.simulation.capture()), "session-back.undo")
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_redo(session.simulation.capture().scene)
 
 
-def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, back: str) -> None:
+def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, back: Key) -> None:
     """Continue at another version of the scene, if there is one; say so where that is another scene.
 
     Args:
         session: whose scene it is.
         version: see `Session.continue_at`.
-        back: what leads back.
+        back: says what leads back.
     """
     if version is not None:
         before = session.scene
@@ -295,8 +297,8 @@ def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, b
         session.continue_at(*version)
         now = session.scene
         if version[1] is None and now.name != before.name:
-            text = f"{back} leads to “{shown_name(before)}” again."
-            session.notices.append(Notice("info", f"Back to “{shown_name(now)}”", text))
+            title = say("session-back", title=shown_name(now))
+            session.notices.append(Notice("info", title, say(back, before=shown_name(before))))
 
 
 # ------------------------------------------------------------------------- another body

@@ -8,6 +8,8 @@ from typing import Literal
 import sim
 from sim.settings import SETTINGS
 
+from ..words import number, say
+
 About = Literal["runaway", "shape"]
 
 
@@ -51,11 +53,10 @@ def shape_notice(error: sim.DesignError) -> Notice:
     """The notice that a body cannot keep its shape."""
     text = f"{_capitalized(error.sentence)}."
     if error.motion is not None:
-        text += " The line shows where it goes."
+        text += f" {say('session-no-shape.line')}"
     if error.stiffening is not None:
-        factor = float(f"{error.stiffening:.3g}")  # as the button has it
-        text += f" The button “Keep it, {factor:g} times as stiff” makes it so."
-    return Notice("error", "This shape cannot be kept", text, "shape")
+        text += f" {say('session-no-shape.stiffen', times=number(error.stiffening))}"
+    return Notice("error", say("session-no-shape"), text, "shape")
 
 
 def _capitalized(sentence: str) -> str:

@@ -24,6 +24,7 @@ from sim.errors import InputError, SceneError, SettingError
 from sim.model.system import same_topology
 from sim.motion.stability import StabilityEstimate
 
+from ..words import say
 from . import keepsakes, log
 from .companions import Companions
 from .driving import Driving
@@ -380,7 +381,7 @@ class Session:
                     self.refusal, self.refused_shape = error, self.simulation.positions
                     self.notices.append(shape_notice(error))
                 else:
-                    self.notices.append(Notice("error", "That cannot be done", str(error)))
+                    self.notices.append(Notice("error", say("session-not-done"), str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)
 

@@ -282,7 +282,7 @@ export type ModeShapes = { tell: "modeShapes"; numbers: Float32Array };
 /** How much of each mode is in the present motion, see `modes.feature.encode_levels`. */
 export type ModeLevels = { tell: "modeLevels"; numbers: Float32Array };
 /** The race of the body against others, if there is one. */
-export type Race = { tell: "race"; on?: boolean; names?: string[]; ways?: number[]; seconds?: number; fair?: boolean; finish?: number; lines?: number[]; arrived?: (number | null)[]; outs?: string[]; masses?: number[]; more?: boolean };
+export type Race = { tell: "race"; on?: boolean; names?: string[]; ways?: number[]; seconds?: number; fair?: boolean; finish?: number; lines?: number[]; arrived?: (number | null)[]; outs?: ("" | "away" | "exploded" | "fell" | "late" | "misfit")[]; masses?: number[]; more?: boolean };
 /** Whether a race begins: why not, in a sentence, or an empty text. */
 export type RaceAnswer = { tell: "raceAnswer"; problem: string };
 /** What the card beside a mass says. */

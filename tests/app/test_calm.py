@@ -15,6 +15,7 @@ from app.pages.sandbox import tab as tab_module
 from app.server.ticker import Ticker
 from app.session import commands
 from app.session import session as session_module
+from app.words import language
 from sim.compiling.compiler import Compiler
 from tests.app.hostile import eventually
 from tests.app.whole import WholePage
@@ -38,6 +39,20 @@ def test_a_calm_page_has_a_frame_a_second_until_it_says_something() -> None:
         assert tab.stir.call_count == 1
     finally:
         ticker.stop()
+
+
+def test_what_a_heavy_body_needs_is_computed_in_the_language_of_its_page() -> None:
+    tab, server, heard = MagicMock(is_calm=False, language="de"), MagicMock(), []
+    tab.frame.side_effect = lambda share, beside: heard.append(beside(language).result()) or False
+    ticker = Ticker(lambda _: tab)
+    ticker.attach(server)
+    (connected,) = server.on_client_connect.call_args.args
+    try:
+        asyncio.run(connected(MagicMock(client_id=7)))
+        eventually(lambda: heard != [])
+    finally:
+        ticker.stop()
+    assert heard[0] == "de"
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import sim
-from app.features.edit.edits import OFFER, Edits
+from app.features.edit.edits import Edits
 from app.features.edit.messages import (
     Act,
     Copied,
@@ -33,6 +33,7 @@ from app.session.notices import Notice
 from app.stage.sketch import Mapping
 from app.ui.view import picture_of
 from app.wire.messages import Key, read
+from app.words import say
 from sim.edit import build
 from sim.edit.edit import Selection
 from tests.app.letters import Letters
@@ -474,4 +475,4 @@ def test_who_draws_a_body_and_lets_it_go_is_told_once_what_keeps_it() -> None:
     for _ in range(2):
         page.do(commands.Play(True))
         page.do(commands.Play(False), commands.Reset())
-    assert [notice.text for notice in page.notices] == [OFFER]
+    assert [notice.text for notice in page.notices] == [say("edit-sags.text")]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from unittest.mock import MagicMock
 
 import msgspec
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 import sim
+from app.features.race import rivals
 from app.features.race.feature import BeginRace, LeaveRace, RaceFeature
 from app.features.race.messages import Race, RaceAnswer
 from app.features.race.rivals import Rivals
@@ -155,9 +157,9 @@ def flying(x: float, y: float) -> sim.Scene:
 @pytest.mark.parametrize(
     ("velocity", "gravity", "seconds", "why"),
     [
-        ((-60.0, 0.0), 0.0, 2.6, "went the other way"),
+        ((-60.0, 0.0), 0.0, 2.6, "away"),
         ((10.0, 0.0), 1000.0, 2.0, "fell"),
-        ((3.0, 0.0), 0.0, 31.0, "needed more than 30 s"),
+        ((3.0, 0.0), 0.0, 31.0, "late"),
         ((75.0, 0.0), 0.0, 2.1, ""),
     ],
 )
@@ -199,7 +201,7 @@ def test_the_page_is_told_of_finish_and_times() -> None:
     races.frame(Drawn(plan=1, now=page.wall(), exactly=False))
     said = letters.last(Race)
     assert (said.finish, said.lines, said.arrived) == (50.0, (50.0, 50.0), (0.5, None))
-    assert said.outs == ("", "went the other way")
+    assert said.outs == ("", "away")
     page.frames(1, LeaveRace())
     races.frame(Drawn(plan=1, now=page.wall(), exactly=False))
     assert letters.last(Race) == Race()
@@ -347,3 +349,8 @@ def test_what_broke_in_each_of_several_bodies_is_broken_in_the_one_that_is_drawn
     assert joint.b == scenes[-1].angular_springs[-1].b + springs[0] + springs[1]
     assert whole.linear_springs[-1].b == scenes[-1].linear_springs[-1].b + masses
     assert side_by_side(scenes[:1], pictures[:1]) is pictures[0]
+
+
+def test_the_page_says_the_time_after_which_a_race_ends() -> None:
+    words = Path(rivals.__file__).with_name("words.js").read_text(encoding="utf-8")
+    assert f'const LIMIT = "{rivals.LIMIT:g}";' in words

@@ -10,11 +10,13 @@ import pytest
 
 import sim
 from app.features.edit import selection_panel
-from app.features.edit.selection_panel import SelectionPanel, describe, numbers_of
+from app.features.edit.selection_panel import SelectionPanel, describe, label_of, numbers_of, options_of
 from app.session import commands
 from app.session.notices import Notice
+from app.words import find
 from sim.edit.edit import Selection
 from sim.edit.muscles import give_muscles
+from sim.edit.values import NUMBERS, STARTS, WAYS
 from sim.scene.parts import JointMuscle, Motor, SpringMuscle
 from tests.app.pages import SessionPage
 from tests.app.panels import Client, page_of
@@ -375,3 +377,11 @@ def test_springs_become_ropes_and_joints_stops() -> None:
     assert [spring.only for spring in page.scene.linear_springs] == [msgspec.UNSET, "pull", msgspec.UNSET]
     page.frames(1, commands.Undo())
     assert page.scene.linear_springs[0].only == "pull"
+
+
+def test_numbers_and_ways_are_called_as_the_edits_call_them() -> None:
+    for of in (*STARTS, *NUMBERS):
+        assert label_of(of) == of.label
+    for key, way in WAYS.items():
+        assert options_of(key) == way.words
+        assert find(f"way-{key.replace(' ', '-')}") and find(f"way-{key.replace(' ', '-')}.hint")

@@ -26,7 +26,9 @@ from ...session import commands
 from ...session.session import Notice, Session
 from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
+from ...words import say
 from . import messages as asks
+from .labels import done
 from .messages import Copied, Selected, TextsTaken, Versions
 
 COPY_OFFSET = 0.3
@@ -34,9 +36,6 @@ COPY_OFFSET = 0.3
 
 MERGE_WITHIN = 1.0
 """Seconds within which moves by keys are one step of undo."""
-
-OFFER = "Reset, then press “Keep this shape” next to the tools: the body will stay as you drew it."
-"""Shown once to a user who has drawn a spring and lets the body move."""
 
 _PASTED = re.compile(r"(-?\d{1,7}(?:\.\d{1,6})?),(-?\d{1,7}(?:\.\d{1,6})?),([A-Za-z0-9+/=]+)")
 
@@ -56,7 +55,8 @@ class Edits:
         self._notify = notify
         self._copies = False  # whether the selection is to be copied
         self._selected: Selection | None = None  # what the page knows to be selected
-        self._drew = self._offered = False  # whether a spring was drawn, and OFFER was shown
+        self._labels = self._done = ("", "")  # of undo and redo, as the steps have them and as they are said
+        self._drew = self._offered = False  # whether a spring was drawn, and how to keep its shape was shown
 
     # --------------------------------------------------------------------- any thread
     def do(self, ask: asks.Edit) -> None:
@@ -109,7 +109,7 @@ class Edits:
         except (binascii.Error, UnicodeDecodeError):
             return
         except SceneError as error:
-            self._notify(Notice("error", "That cannot be pasted", str(error)))
+            self._notify(Notice("error", say("edit-not-pasted"), str(error)))
             return
         x, y = float(match[1]), float(match[2])
         self._session.post(
@@ -124,10 +124,14 @@ class Edits:
             self._selected = session.selection
             self._mail.send(Selected(*(tuple(sorted(parts)) for parts in self._selected)))
         stiffen = (session.refusal.stiffening or 0.0) if session.refusal is not None else 0.0
-        self._mail.send(Versions(versions.undoable, versions.redoable, len(versions), round(stiffen, 3)))
+        labels = versions.undoable, versions.redoable
+        if labels != self._labels:
+            self._labels = labels
+            self._done = done(labels[0], session.scene), done(labels[1], session.scene)
+        self._mail.send(Versions(*self._done, len(versions), round(stiffen, 3)))
         if session.playing and self._drew and not self._offered:
             self._offered = True
-            self._notify(Notice("info", "It sags?", OFFER))
+            self._notify(Notice("info", say("edit-sags"), say("edit-sags.text")))
         if self._copies:
             self._copies = False
             moment = session.simulation.capture()
@@ -135,7 +139,7 @@ class Edits:
                 fragment = _copy(moment, masses_of(moment.scene, session.selection))
                 self._mail.send(Copied(text=copying.encode(fragment)))
             except SceneError as error:
-                self._notify(Notice("error", "That cannot be copied", str(error)))
+                self._notify(Notice("error", say("edit-not-copied"), str(error)))
 
 
 # ------------------------------------------------------------------------- what is selected
@@ -247,19 +251,19 @@ def _act(what: str, moment: Moment, selection: Selection) -> Edit:
         case "corners":
             edit = shape.add_corners(scene, some, positions, moment.rest_angle_shift)
             if edit.joints is None:
-                raise SceneError("there is no corner without an angular spring")
+                raise SceneError(say("edit-no-corner"))
             return edit
         case "triangulate":
             edit = shape.triangulate(scene, some, positions, moment.rest_length_scale)
             if edit.springs is None:
-                raise SceneError("there is nothing left to brace")
+                raise SceneError(say("edit-no-brace"))
             return edit
         case "rest":
             return take_as_rest(moment, selection if any(selection) else Selection(masses=some))
         case "keep" | "stiffen":
             return _keep_shape(moment, selection, what == "stiffen")
         case _:
-            raise SceneError("nothing is selected")
+            raise SceneError(say("edit-no-selection"))
 
 
 def _add_line(moment: Moment, a: int | None, b: int | None, start: Vector, end: Vector) -> Edit:
@@ -325,7 +329,7 @@ def _keep_shape(moment: Moment, selection: Selection, allow_stiffening: bool) ->
 
 def _move(moment: Moment, masses: frozenset[int], by: Vector, rest: bool) -> Edit:
     if not masses:
-        raise SettingError("nothing is selected that could be moved")
+        raise SettingError(say("edit-no-move"))
     edit = shape.move(moment.scene, masses, by)
     if not (rest and any(s.a in masses or s.b in masses for s in moment.scene.linear_springs)):
         return edit

@@ -7,6 +7,7 @@ import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { degrees } from "../../stage/measures.js";
 import { massAt } from "../../ui/hands/pointer.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("../../stage/sight.js").Sight} Sight
@@ -199,6 +200,6 @@ function writeRestAngle(seen, words) {
   if (joint < 0) return;
   const { tip, direction } = knobOf(seen, joint);
   const { x, y } = off(tip, direction, CORNER + 34);
-  words.textContent = `rests at ${degrees(restAt(joint, direction))}`;
+  words.textContent = say("edit-rests-at", { angle: degrees(restAt(joint, direction)) });
   set(words, { x: x.toFixed(1), y: y.toFixed(1) });
 }

@@ -5,6 +5,7 @@ import { wireNumber } from "../../stage/screen.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
 import { change } from "./editing.js";
 import { kept, store } from "../../ui/kept/storage.js";
+import { say } from "../../words/words.js";
 
 const STORED = "softrod-moved-rest";
 
@@ -38,7 +39,7 @@ export function moveSelected(x, y, how = {}) {
 }
 
 function makeQuestion() {
-  const { dialog, body } = makeDialog("Moved masses", "softrod-moved");
+  const { dialog, body } = makeDialog(say("edit-moved"), "softrod-moved");
   let { scene } = pageState();
   onMessage("pageState", () => {
     if (pageState().scene !== scene) dialog.close(); // it is about another body
@@ -51,14 +52,14 @@ function makeQuestion() {
       dialog.close();
       send({ do: "move", ...waiting, rest });
     }, name);
-  const first = answer("Take the new lengths", true, "softrod-button softrod-first");
+  const first = answer(say("edit-moved.take"), true, "softrod-button softrod-first");
   first.autofocus = true;
   const line = make("div", "softrod-dialog-line");
-  line.append(first, answer("Keep the rest lengths", false));
+  line.append(first, answer(say("edit-moved.keep"), false));
   body.append(
-    make("p", "", "Springs and joints of what you moved can rest as they are now, or keep their rest lengths and angles: then they pull back as soon as the clock runs."),
+    make("p", "", say("edit-moved.text")),
     line,
-    make("p", "", "This is asked once. The button Moved rest changes it."),
+    make("p", "", say("edit-moved.once")),
   );
   return dialog;
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import time
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ import viser
 
 from sim import Moment, Scene
 from sim.edit.build import pin, remove
-from sim.edit.edit import Edit, Selection, counted
+from sim.edit.edit import Edit, Selection
 from sim.edit.values import (
     NUMBERS,
     STARTS,
@@ -36,6 +37,8 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...ui.viser.look import describe_control
 from ...ui.viser.slider_box import TOUCHED, alike, allows, range_of, rounded
+from ...words import find, say
+from ...words.keys import Key
 
 EVERY = 0.1
 """Seconds between two updates of the numbers; held arrow keys change some of them continually."""
@@ -43,10 +46,11 @@ EVERY = 0.1
 ORDER = -100.0
 """Order of the folder in the panel: above the tabs."""
 
-PIN, LET_GO = "Pin", "Let go"
-
-MIXED = "mixed"
+MIXED: Key = "number-mixed"
 """What is said where selected parts have different values, or act in several ways."""
+
+MIDDLE: Key = "number-middle"
+"""What is said of a start position that is the middle of several."""
 
 
 @dataclass(frozen=True)
@@ -56,19 +60,19 @@ class Shown:
     Attributes:
         of: what it is.
         value: the common value, or the one with the largest magnitude; of positions, their middle.
-        note: `MIXED` if the values differ, "middle" of positions.
+        note: `MIXED` if the values differ, `MIDDLE` of positions; None elsewhere.
     """
 
     of: Number
     value: float
-    note: str = ""
+    note: Key | None = None
 
 
 def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
     """Return the numbers that any selected part has."""
     masses = selection.masses
     found = [
-        Shown(of, middle_of_starts(scene, of, masses), "middle" if len(masses) > 1 else "")
+        Shown(of, middle_of_starts(scene, of, masses), MIDDLE if len(masses) > 1 else None)
         for of in (STARTS if masses else ())
     ]
     for of in NUMBERS:
@@ -77,7 +81,7 @@ def numbers_of(scene: Scene, selection: Selection) -> list[Shown]:
         known = [value for value in values if value is not None]
         if not known or (of.field == "hardening" and values_of(scene, _YIELD_FORCE, parts) <= {None}):
             continue  # hardening has no meaning without a yield force
-        found.append(Shown(of, max(known, key=abs), MIXED if len(values) > 1 else ""))
+        found.append(Shown(of, max(known, key=abs), MIXED if len(values) > 1 else None))
     return found
 
 
@@ -87,6 +91,10 @@ _OF_MUSCLES = tuple(of for of in NUMBERS if "." in of.field)
 """Of muscles and motors; their boxes are created when one is selected for the first time."""
 
 
+_COUNTED: tuple[Key, ...] = "edit-masses", "edit-springs", "edit-joints"
+_PREFIXES: dict[Kind, str] = {"masses": "", "linear_springs": "spring-", "angular_springs": "joint-"}
+
+
 def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
     """Return the selected parts of a kind."""
     return selection[("masses", "linear_springs", "angular_springs").index(kind)]
@@ -94,8 +102,29 @@ def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
 
 def describe(selection: Selection) -> str:
     """Describe a selection, as in "2 masses, 3 springs"."""
-    kinds = zip(selection, ("mass", "spring", "joint"), strict=True)
-    return ", ".join(counted(len(parts), what) for parts, what in kinds if parts)
+    kinds = zip(selection, _COUNTED, strict=True)
+    return ", ".join(say(key, count=len(parts)) for parts, key in kinds if parts)
+
+
+def label_of(of: Number) -> str:
+    """Return what a number is called."""
+    axis = "" if of.axis is None else f"-{'xy'[of.axis]}"
+    field = re.sub("[._]", "-", of.field)
+    return find(f"number-{_PREFIXES[of.kind]}{field}{axis}")
+
+
+def label_of_way(key: str) -> str:
+    """Return what one of `WAYS` is called."""
+    return find(f"way-{_dashed(key)}")
+
+
+def options_of(key: str) -> dict[str, str]:
+    """Return what the choices of one of `WAYS` are called."""
+    return {name: find(f"way-{_dashed(key)}.{_dashed(name) or 'usual'}") for name in WAYS[key].words}
+
+
+def _dashed(name: str) -> str:
+    return name.replace(" ", "-")
 
 
 def make_change(of: Number, value: float, in_proportion: bool) -> commands.MakeEdit:
@@ -155,7 +184,7 @@ class SelectionPanel:
             if known.isdisjoint(_OF_MUSCLES) and not shown.keys().isdisjoint(_OF_MUSCLES):
                 with folder:
                     self._rows += map(self._row, _OF_MUSCLES)
-                    self._ways += [_Way(self._page, *way) for way in _MUSCLE_BOXES]
+                    self._ways += [_Way(self._page, way) for way in WAYS if way in _OF_MUSCLE_WAYS]
             for row in self._rows:
                 row.take(shown.get(row.of), is_new)
             for way in self._ways:
@@ -173,22 +202,21 @@ class SelectionPanel:
         folder = gui.add_folder("", order=ORDER)
         with folder:
             self._rows = [self._row(of) for of in _ALL if of not in _OF_MUSCLES]
-            self._ways = [_Way(self._page, *way) for way in _WAY_BOXES]
+            self._ways = [_Way(self._page, way) for way in WAYS if way not in _OF_MUSCLE_WAYS]
             self._proportions = gui.add_checkbox(
-                "Keep proportions",
-                initial_value=False,
-                hint="a number then sets the largest value, and the others change in proportion",
+                say("number-proportions"), initial_value=False, hint=say("number-proportions.hint")
             )
-            self._holding = gui.add_button_group("Masses", (PIN, LET_GO))
+            held = say("number-holding.pin")
+            self._holding = gui.add_button_group(say("number-holding"), (held, say("number-holding.release")))
             rest = commands.Change(take_as_rest)
-            hint = "rest lengths and rest angles become the present ones"
-            self._page.button("Rest as it is now", viser.Icon.RULER_2, lambda: post(rest), hint=hint)
+            hint = say("number-rest.hint")
+            self._page.button(say("number-rest"), viser.Icon.RULER_2, lambda: post(rest), hint=hint)
             delete = commands.Change(lambda moment, selected: remove(moment.scene, selected))
-            self._page.button("Delete", viser.Icon.TRASH, lambda: post(delete))
+            self._page.button(say("number-delete"), viser.Icon.TRASH, lambda: post(delete))
 
         @self._holding.on_click
         async def _(event: viser.GuiEvent[Any]) -> None:
-            on = event.target.value == PIN
+            on = event.target.value == held
             post(commands.Change(lambda moment, selected: pin(moment.scene, selected.masses, on)))
 
         return folder
@@ -203,21 +231,7 @@ class SelectionPanel:
         self._session.post(commands.Change(change, key))
 
 
-_ONE_SIDED = "a rope only pulls, and a stop acts on one side of its rest angle"
-_WAY_BOXES: tuple[tuple[str, str, str], ...] = (
-    (
-        "touch",
-        "Masses touch",
-        "balls collide: they bounce off each other and, where there is contact, off springs",
-    ),
-    ("move", "Masses move", "a mass on a rail moves along it only, as a cart does"),
-    ("springs", "Springs act", _ONE_SIDED),
-    ("joints", "Joints act", _ONE_SIDED),
-    ("turn", "Joints turn", "a motor turns the second spring of a joint against the first"),
-    ("forces", "Forces act", "a force on a mass acts always, or while an arrow key is held"),
-)
-_KEYED = "a muscle works always, or while an arrow key is held; one that is steady then stays as it is"
-_MUSCLE_BOXES = ("muscles", "Muscles work", _KEYED), ("joint muscles", "Joint muscles work", _KEYED)
+_OF_MUSCLE_WAYS = "muscles", "joint muscles"
 
 
 class _Way:
@@ -226,16 +240,14 @@ class _Way:
     Args:
         page: the page.
         key: of one of `WAYS`.
-        label: of the box.
-        hint: what is chosen, in a few words.
     """
 
-    def __init__(self, page: Page, key: str, label: str, hint: str) -> None:
+    def __init__(self, page: Page, key: str) -> None:
         self._way = way = WAYS[key]
-        self._words = way.words
+        self._words = options_of(key)
         self._box = page.client.gui.add_dropdown(
-            label, tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
-            hint=hint,
+            label_of_way(key), tuple(self._words.values()), visible=False, order=ORDER + len(_ALL),
+            hint=find(f"way-{_dashed(key)}.hint"),
         )  # fmt: skip
 
         def choose() -> None:
@@ -257,8 +269,9 @@ class _Way:
         self._box.visible = bool(parts)
         if parts:
             ways, words = ways_of(scene, self._way, parts), tuple(self._words.values())
-            shown = MIXED if len(ways) > 1 else self._words[max(ways)]
-            options = (MIXED, *words) if shown == MIXED else words
+            mixed = say(MIXED)
+            shown = mixed if len(ways) > 1 else self._words[max(ways)]
+            options = (mixed, *words) if len(ways) > 1 else words
             if self._box.options != options:
                 self._box.options = options
             self._box.value = shown
@@ -278,7 +291,7 @@ class _Row:
         self._shown: Shown | None = None
         self._touched = -math.inf
         self._box = page.client.gui.add_number(
-            of.label, initial_value=0.0, step=0.1, hint=range_of(of), visible=False, order=order
+            label_of(of), initial_value=0.0, step=0.1, hint=range_of(of), visible=False, order=order
         )
         describe_control(page.mail, self._box, unit=of.unit, low=of.low, high=of.high)
 
@@ -298,7 +311,8 @@ class _Row:
         self._box.visible = shown is not None
         if shown is None:
             return
-        self._box.label = f"{self.of.label} ({shown.note})" if shown.note else self.of.label
+        label = label_of(self.of)
+        self._box.label = say("number-note", number=label, note=say(shown.note)) if shown.note else label
         if is_new:
             self._touched = -math.inf
             size = abs(shown.value)

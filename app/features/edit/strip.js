@@ -14,7 +14,7 @@ import { floorOf } from "../../stage/dock.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { canvasBox } from "../../ui/viser/viser.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Act["what"]} Action */
 
@@ -28,10 +28,10 @@ const ALWAYS = ["corners", "triangulate", "rest", "keep"];
 /** What a tool waits for while nothing is selected; where the tools have no words. @type {Record<import("./editing.js").Tool, string>} */
 const WAITS_FOR = {
   hand: "",
-  build: "Tap for a mass, drag for a spring",
-  joint: "Tap a mass, then an angle at it",
-  select: "Tap a part, or drag round some",
-  cut: "Drag across springs",
+  build: say("edit-waits-build"),
+  joint: say("edit-waits-joint"),
+  select: say("edit-waits-select"),
+  cut: say("edit-waits-cut"),
 };
 
 /** Pixels between buttons over the bar of time and what stands next to them. */
@@ -92,7 +92,7 @@ class EditStrip {
 
   /** @param {{button: HTMLElement, row: HTMLElement, says: HTMLElement}} tracing controls of the picture behind the body */
   constructor(tracing) {
-    this.strip = toolbar("softrod-edit softrod-floats", "Editing");
+    this.strip = toolbar("softrod-edit softrod-floats", say("edit-tools"));
     this.lid = iconButton("edit", () => perform("edit"));
     this.tools = make("div", "softrod-edit-tools");
     this.buttons = TOOLS.map((tool) => ({ tool, button: iconButton(tool, () => setTool(tool)) }));
@@ -101,17 +101,17 @@ class EditStrip {
     this.redo = iconButton("redo", () => stepBack("redo"));
     this.strip.append(this.lid, this.tools, this.undo, this.redo);
 
-    this.bar = toolbar("softrod-edit-bar softrod-floats", "What is selected");
+    this.bar = toolbar("softrod-edit-bar softrod-floats", say("edit-bar"));
     this.count = make("span", "softrod-edit-count");
     this.hint = make("span", "softrod-edit-count");
-    this.onSelected = [...ACTIONS.map(actionButton), makeButton("Copy", copySelection, "")];
+    this.onSelected = [...ACTIONS.map(actionButton), makeButton(say("command-copy"), copySelection, "")];
     this.muscle = wordButton("muscle", () => perform("muscle"));
     this.stiffen = actionButton("stiffen");
-    this.rests = makeButton("Moved rest", () => setTakesNewLengths(!takesNewLengths()), "");
-    this.rests.title = "Springs and joints of what is moved take their new lengths and angles as rest, or keep the old ones";
+    this.rests = makeButton(say("edit-rests"), () => setTakesNewLengths(!takesNewLengths()), "");
+    this.rests.title = say("edit-rests.hint");
     this.bar.append(
-      this.count, this.hint, ...this.onSelected, this.muscle, makeButton("Paste", () => pasteHere(), ""), ...ALWAYS.map(actionButton),
-      this.stiffen, this.rests, tracing.button, tracing.says, makeButton("Done", () => setEditing(false), ""), tracing.row,
+      this.count, this.hint, ...this.onSelected, this.muscle, makeButton(say("edit-paste"), () => pasteHere(), ""), ...ALWAYS.map(actionButton),
+      this.stiffen, this.rests, tracing.button, tracing.says, makeButton(say("edit-done"), () => setEditing(false), ""), tracing.row,
     );
     this.live = make("div", "softrod-tell");
     this.live.setAttribute("role", "status");
@@ -133,13 +133,13 @@ class EditStrip {
     showIf(this.redo, on || redo !== "");
     this.undo.disabled = !undo;
     this.redo.disabled = !redo;
-    this.undo.title = undo ? `Undo: ${undo} (Ctrl Z)` : "Nothing to undo";
-    this.redo.title = redo ? `Redo: ${redo} (Ctrl Y)` : "Nothing to redo";
+    this.undo.title = undo ? withKey(say("edit-undo", { what: undo }), "undo") : say("edit-undo.none");
+    this.redo.title = redo ? withKey(say("edit-redo", { what: redo }), "redo") : say("edit-redo.none");
     for (const button of this.onSelected) showIf(button, some);
     showIf(this.muscle, selected.springs.length + selected.joints.length > 0);
     const isNew = this.stiffen.hidden && stiffen > 0;
     showIf(this.stiffen, stiffen > 0);
-    this.stiffen.textContent = `Keep it, ${Number(stiffen.toPrecision(3))} times as stiff`;
+    this.stiffen.textContent = say("edit-stiffen", { times: decimal(String(Number(stiffen.toPrecision(3)))) });
     this.rests.ariaPressed = String(takesNewLengths());
     this.announce();
     // If the button with the focus is gone or disabled.
@@ -153,8 +153,8 @@ class EditStrip {
   announce() {
     const { on, selected, undo, redo } = editing;
     const { before, live } = this;
-    if (on && selected !== before.selected) live.textContent = countSelected() ? `${nameOf(selected)} selected` : "Nothing selected";
-    else if (undo !== before.undo || redo !== before.redo) live.textContent = redo !== "" && redo === before.undo ? `Undone: ${redo}` : undo;
+    if (on && selected !== before.selected) live.textContent = countSelected() ? say("edit-selected", { parts: nameOf(selected) }) : say("edit-selected.none");
+    else if (undo !== before.undo || redo !== before.redo) live.textContent = redo !== "" && redo === before.undo ? say("edit-undo.done", { what: redo }) : undo;
     this.before = { undo, redo, selected };
   }
 
@@ -176,7 +176,7 @@ class EditStrip {
     strip.classList.toggle("softrod-words", !on && hasWords(canvas));
     bar.classList.toggle("softrod-edit-row", isRow);
     const words = inWords(selected);
-    const counted = isRow && words.includes(",") ? `${countSelected()} parts` : words;
+    const counted = isRow && kindsOf(selected).length > 1 ? say("edit-parts", { count: countSelected() }) : words;
     if (count.textContent !== counted) count.textContent = counted;
     const waits = isRow && !words ? WAITS_FOR[tool] : "";
     if (hint.textContent !== waits) hint.textContent = waits;
@@ -221,16 +221,20 @@ export function addEditStrip(tracing) {
   strip.show();
 }
 
-/** @param {number} count @param {string} one @param {string} several */
-const counted = (count, one, several) => (count ? [`${count} ${count === 1 ? one : several}`] : []);
+/** The selected kinds of parts, each as in "2 masses". @param {import("./pick.js").Parts} parts */
+const kindsOf = ({ masses, springs, joints }) => [
+  ...(masses.length ? [say("edit-masses", { count: masses.length })] : []),
+  ...(springs.length ? [say("edit-springs", { count: springs.length })] : []),
+  ...(joints.length ? [say("edit-joints", { count: joints.length })] : []),
+];
 
 /** A selection in words, as in "2 masses, 1 spring". @param {import("./pick.js").Parts} parts */
-const inWords = ({ masses, springs, joints }) =>
-  [...counted(masses.length, "mass", "masses"), ...counted(springs.length, "spring", "springs"), ...counted(joints.length, "joint", "joints")].join(", ");
+const inWords = (parts) => kindsOf(parts).join(", ");
 
 /** The same; a single part by its number. @param {import("./pick.js").Parts} parts */
 function nameOf(parts) {
   const { masses: [mass], springs: [spring], joints: [joint] } = parts;
   if (countSelected() !== 1) return inWords(parts);
-  return mass !== undefined ? `mass ${mass}` : spring !== undefined ? `spring ${spring}` : `joint ${joint}`;
+  if (mass !== undefined) return say("edit-mass", { number: String(mass) });
+  return spring !== undefined ? say("edit-spring", { number: String(spring) }) : say("edit-joint", { number: String(joint) });
 }

@@ -5,6 +5,7 @@
  */
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 
 /** Limits of a scene's file, see `Scene`. */
 const MAX_NAME = 60;
@@ -39,10 +40,10 @@ class TextsForm {
     this.refused = make("p", "softrod-refused");
     this.refused.setAttribute("role", "alert");
     const buttons = make("div", "softrod-texts-buttons");
-    buttons.append(make("button", "softrod-button softrod-first", "Done"), makeButton("Cancel", () => this.close()));
+    buttons.append(make("button", "softrod-button softrod-first", say("edit-texts.done")), makeButton(say("edit-texts.cancel"), () => this.close()));
     this.form = make("form", "softrod-texts");
-    this.form.ariaLabel = "Name and description of this scene";
-    this.form.append(labelled("Name", this.name, MAX_NAME), labelled("What it shows", this.description, MAX_DESCRIPTION), this.refused, buttons);
+    this.form.ariaLabel = say("edit-texts");
+    this.form.append(labelled(say("edit-texts.name"), this.name, MAX_NAME), labelled(say("edit-texts.description"), this.description, MAX_DESCRIPTION), this.refused, buttons);
     this.form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.refused.textContent = "";

@@ -15,6 +15,7 @@ import { screen } from "../../ui/viser/screen.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { onUnderlay } from "../../stage/underlay.js";
 import { viser, viserCanvas } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 const STORED = "softrod-picture";
 /** Pixels of the longer side, at most: the storage has room for some megabytes. */
@@ -85,23 +86,23 @@ class Tracing {
     this.file.addEventListener("change", () => this.open());
     this.says = make("span", "");
     this.says.setAttribute("role", "status");
-    this.size = slider("Size", Math.log2(MIN_WIDTH), Math.log2(MAX_WIDTH), (value) => this.put({ width: 2 ** value }));
-    this.opacity = slider("Opacity", 0.1, 1, (opacity) => this.put({ opacity }));
-    this.move = makeButton("Move it", () => this.show(!this.moving), "");
-    this.move.title = "Drag it, or use the arrow keys, until Esc";
+    this.size = slider(say("edit-picture.size"), Math.log2(MIN_WIDTH), Math.log2(MAX_WIDTH), (value) => this.put({ width: 2 ** value }));
+    this.opacity = slider(say("edit-picture.opacity"), 0.1, 1, (opacity) => this.put({ opacity }));
+    this.move = makeButton(say("edit-picture.move"), () => this.show(!this.moving), "");
+    this.move.title = say("edit-picture.drag");
     this.row = make("div", "softrod-edit-picture");
     this.row.append(
       this.size.label, this.opacity.label, this.move,
-      makeButton("Another", () => this.file.click(), ""), makeButton("Take it away", () => this.replace(null), ""), this.file,
+      makeButton(say("edit-picture.another"), () => this.file.click(), ""), makeButton(say("edit-picture.remove"), () => this.replace(null), ""), this.file,
     );
     this.row.hidden = true;
-    this.button = makeButton("Picture", () => {
+    this.button = makeButton(say("edit-picture"), () => {
       if (this.picture) this.row.hidden = !this.row.hidden;
       else this.file.click();
       this.show();
       this.scroll();
     }, "");
-    this.button.title = "A picture behind the body, to draw over; it stays in this browser";
+    this.button.title = say("edit-picture.hint");
     this.image = makeSvg("image", "");
     this.image.setAttribute("preserveAspectRatio", "none");
   }
@@ -112,7 +113,7 @@ class Tracing {
     this.file.value = "";
     if (!file) return;
     const found = await read(file);
-    this.says.textContent = found ? "" : `${file.name} is not a picture that this browser can show`;
+    this.says.textContent = found ? "" : say("edit-no-picture", { name: file.name });
     if (!found) return;
     this.row.hidden = false;
     this.replace({ x: 0, y: 0, width: FIRST_WIDTH, opacity: 0.5, ...this.picture, ...found });

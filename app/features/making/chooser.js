@@ -1,6 +1,7 @@
 // @ts-check
 /** A quantity is chosen as in the Measure tab: a part of the body, and one of its quantities. */
 import { box, makeSelect, refusal, setOptions } from "./fields.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").LessonOffers} LessonOffers */
 /** @typedef {import("../../wire/wire.js").ReadingDraft} Reading */
@@ -12,10 +13,10 @@ const NAME = /^([a-z]+\d*)\.([a-z_]*)$/;
 export class Chooser {
   /** @param {string} label @param {string} name of the field @param {() => void} changed */
   constructor(label, name, changed) {
-    this.part = makeSelect(`${label}: part`);
-    this.what = makeSelect(`${label}: quantity`);
-    this.of = makeSelect(`${label}: of it`);
-    setOptions(this.of, [["value", "value"], ["period", "period"]], "value");
+    this.part = makeSelect(say("making-part", { label }));
+    this.what = makeSelect(say("making-part.quantity", { label }));
+    this.of = makeSelect(say("making-part.of", { label }));
+    setOptions(this.of, [["value", say("making-value")], ["period", say("making-period")]], "value");
     this.element = box("softrod-making-part", box("softrod-making-row", this.part, this.what, this.of), refusal(name));
     this.part.addEventListener("change", () => {
       this.show(this.reading);

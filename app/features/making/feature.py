@@ -12,6 +12,7 @@ from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
+from ...words import say
 from ..instruments.feature import InstrumentsFeature
 from ..measure.feature import MeasureFeature
 from .maker import LessonMaker, Measured
@@ -37,8 +38,7 @@ class MakingFeature(Feature):
     def open(self) -> None:
         """Open the form, with the scene's lesson."""
         if self.page.is_in_class:
-            text = "Open softrod outside the class and make the lesson there; a class can use it afterwards."
-            self.page.notify(Notice("info", "Not in a class", text))
+            self.page.notify(Notice("info", say("making-in-class"), say("making-in-class.text")))
         else:
             self._maker.do(MakeLesson(True))
 

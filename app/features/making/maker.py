@@ -27,6 +27,7 @@ from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
+from ...words import say
 from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
@@ -230,7 +231,7 @@ class LessonMaker:
             field = match[1] or part
             sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name
             if not part:
-                self._page.notify(Notice("error", "That cannot be done", sentence))
+                self._page.notify(Notice("error", say("making-not-done"), sentence))
         self._mail.send(LessonTaken(step=step, part=part, field=field, refused=sentence))
 
     @property
@@ -256,7 +257,7 @@ class LessonMaker:
                 for of in PARTS
             },
             controls=tuple(LessonControl(*each) for each in (*sliders, *choices)),
-            methods={REFERENCE: "Reference", **options_of("method")},
+            methods={REFERENCE: say("making-ghost.reference"), **options_of("method")},
             settings=describe_settings(scene, tuple(f"{key}={value}" for key, value in wanted.items())),
             plots=measured.plots,
             arrows=self._arrows,

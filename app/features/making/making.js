@@ -19,8 +19,6 @@ import { say } from "../../words/words.js";
 const STORED = "softrod-making";
 /** Size of a phone's page. */
 const PHONE = "width=390,height=844";
-const ABOUT =
-  "A lesson goes step by step beside the body: a question, what to do, the sliders for it. It is part of the scene: save it, download it or make a link of it in the Share tab.";
 
 class MakingForm {
   /** @type {LessonForm} */
@@ -37,19 +35,19 @@ class MakingForm {
   constructor() {
     this.fields = new StepForm();
     this.list = new StepList(() => this.fields.flush(), (step) => this.choose(step), (step) => this.expect(step));
-    this.title = make("h2", "", "Lesson");
+    this.title = make("h2", "", say("making-title"));
     this.title.tabIndex = -1;
     this.undo = this.historyButton("undo");
     this.redo = this.historyButton("redo");
-    const fold = makeButton("Hide", () => {
+    const fold = makeButton(say("making-fold"), () => {
       const folded = this.element.toggleAttribute("data-folded");
-      fold.textContent = folded ? "Show" : "Hide";
+      fold.textContent = say(folded ? "making-fold.unfold" : "making-fold");
       fold.ariaExpanded = String(!folded);
     }, "softrod-button softrod-making-fold");
     fold.ariaExpanded = "true";
     const head = make("header", "");
-    head.append(this.title, this.undo, this.redo, fold, this.button("Done", () => send({ do: "makeLesson", on: false })));
-    this.about = make("p", "softrod-making-hint", ABOUT);
+    head.append(this.title, this.undo, this.redo, fold, this.button(say("making-done"), () => send({ do: "makeLesson", on: false })));
+    this.about = make("p", "softrod-making-hint", say("making-about"));
     this.add = this.button("", () => {
       const at = this.lesson.steps.length ? this.at + 1 : 0;
       send({ do: "addStep", at });
@@ -59,28 +57,28 @@ class MakingForm {
     this.says.setAttribute("role", "status");
     this.foot = make("footer", "");
     this.foot.append(
-      this.button("Try this step", () => {
+      this.button(say("making-try"), () => {
         beginNextAt(this.at);
         send({ do: "tryStep", step: this.at });
       }, "softrod-button softrod-first"),
-      this.button("See as phone", () => {
+      this.button(say("making-phone"), () => {
         this.wantsPhone = true;
         send({ do: "share", pose: false, page: new URL(".", location.href).href });
       }),
     );
-    this.drop = makeButton("Delete lesson", () => send({ do: "dropLesson" }));
-    this.drop.title = "Undo brings it back";
+    this.drop = makeButton(say("making-drop"), () => send({ do: "dropLesson" }));
+    this.drop.title = say("making-drop.hint");
     this.element = make("aside", "softrod-making");
-    this.element.ariaLabel = "Make a lesson";
+    this.element.ariaLabel = say("making-form");
     this.element.append(
       head,
       box("softrod-making-body", this.about, this.list.element, this.add, this.says, this.fields.element, this.drop),
       this.foot,
     );
     this.bar = make("aside", "softrod-trying");
-    this.bar.ariaLabel = "A step is tried";
+    this.bar.ariaLabel = say("making-trying.label");
     this.trying = make("span", "");
-    this.bar.append(this.trying, makeButton("Back to the form", () => send({ do: "endTrying" }), "softrod-button softrod-first"));
+    this.bar.append(this.trying, makeButton(say("making-trying.back"), () => send({ do: "endTrying" }), "softrod-button softrod-first"));
   }
 
   /** A button that first sends what was typed. @param {string} text @param {() => void} press @param {string} [name] of its class */
@@ -124,7 +122,7 @@ class MakingForm {
     this.list.show(titles, this.at);
     const some = steps.length > 0;
     this.about.hidden = some;
-    this.add.textContent = some ? "Add a step" : "Add the first step";
+    this.add.textContent = say(some ? "making-add" : "making-add.first");
     this.add.classList.toggle("softrod-first", !some);
     this.add.disabled = steps.length >= MAX_STEPS;
     this.fields.element.hidden = this.foot.hidden = this.drop.hidden = !some || this.offers === null;
@@ -141,7 +139,7 @@ class MakingForm {
       overCanvas().append(this.element);
       this.title.focus();
     } else if (!isShown) this.element.remove();
-    this.trying.textContent = `Step ${lesson.trying + 1} as a pupil sees it`;
+    this.trying.textContent = say("making-trying", { step: String(lesson.trying + 1) });
     if (lesson.trying < 0) this.bar.remove();
     else if (!this.bar.parentNode) overCanvas().append(this.bar);
     document.documentElement.toggleAttribute("data-softrod-making", isShown);
@@ -158,13 +156,13 @@ class MakingForm {
     });
     onMessage("lessonTaken", (taken) => {
       if (taken.step === this.at || taken.step < 0) this.fields.hear(taken);
-      else if (taken.refused) this.says.textContent = `Step ${taken.step + 1}: ${taken.refused} It stays as it was.`;
+      else if (taken.refused) this.says.textContent = say("making-refused", { step: String(taken.step + 1), why: taken.refused });
     });
     onMessage("versions", ({ undo, redo }) => {
       this.undo.disabled = !undo;
       this.redo.disabled = !redo;
-      this.undo.title = undo ? `Undo: ${undo}` : "Nothing to undo";
-      this.redo.title = redo ? `Redo: ${redo}` : "Nothing to redo";
+      this.undo.title = undo ? say("edit-undo", { what: undo }) : say("edit-undo.none");
+      this.redo.title = redo ? say("edit-redo", { what: redo }) : say("edit-redo.none");
     });
     onMessage("link", ({ link }) => {
       if (!this.wantsPhone || !link) return;

@@ -5,6 +5,7 @@
  */
 import { make, makeButton } from "../../ui/dialog.js";
 import { box, labelled, makeArea, makeCheck, makeInput, refusal } from "./fields.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").QuestionDraft} Question */
 /** @typedef {HTMLInputElement | HTMLTextAreaElement} Field */
@@ -36,7 +37,7 @@ export class QuestionForm {
   /** Rebuilds the fields. @param {string} [focus] the name of the field that gets the focus */
   build(focus) {
     const { question } = this;
-    const { check, label } = makeCheck("Ask a question first", "question", (on) => {
+    const { check, label } = makeCheck(say("making-ask"), "question", (on) => {
       this.question = on ? { text: "", choices: ["", ""], answer: 0, because: "" } : null;
       this.build("question.text");
       if (!on) this.change(null);
@@ -46,18 +47,18 @@ export class QuestionForm {
     if (!question) return;
     const list = box("softrod-making-choices", ...question.choices.map((_, i) => this.choiceRow(question, i)));
     list.setAttribute("role", "group");
-    list.ariaLabel = "Answers; the right one is marked";
-    const more = makeButton("Add an answer", () => {
+    list.ariaLabel = say("making-answers");
+    const more = makeButton(say("making-answers.add"), () => {
       question.choices.push("");
       this.build(`question.choices[${question.choices.length - 1}]`);
     });
     more.hidden = question.choices.length >= MAX_CHOICES;
     this.element.append(
-      labelled("Question", this.edits(makeArea(question.text), (value) => (question.text = value)), "question.text"),
+      labelled(say("making-question"), this.edits(makeArea(question.text), (value) => (question.text = value)), "question.text"),
       list,
       refusal("question.choices"),
       more,
-      labelled("Why that is right", this.edits(makeArea(question.because), (value) => (question.because = value)), "question.because"),
+      labelled(say("making-because"), this.edits(makeArea(question.because), (value) => (question.because = value)), "question.because"),
       refusal("question"),
     );
     const line = focus && this.element.querySelector(`[data-field="${focus}"]`);
@@ -75,21 +76,21 @@ export class QuestionForm {
   /** @param {Question} question @param {number} i */
   choiceRow(question, i) {
     const right = make("input", "");
-    Object.assign(right, { type: "radio", name: "softrod-right", checked: i === question.answer, title: "This is the right one" });
-    right.ariaLabel = `Answer ${i + 1} is right`;
+    Object.assign(right, { type: "radio", name: "softrod-right", checked: i === question.answer, title: say("making-right") });
+    right.ariaLabel = say("making-answer.right", { number: String(i + 1) });
     right.addEventListener("change", () => {
       question.answer = i;
       this.change(question);
     });
     const input = this.edits(makeInput(question.choices[i]), (value) => (question.choices[i] = value));
-    input.ariaLabel = `Answer ${i + 1}`;
+    input.ariaLabel = say("making-answer", { number: String(i + 1) });
     const remove = makeButton("×", () => {
       question.choices.splice(i, 1);
       if (question.answer > i || question.answer >= question.choices.length) question.answer = Math.max(0, question.answer - 1);
       this.build(`question.choices[${Math.min(i, question.choices.length - 1)}]`);
       this.change(question);
     }, "softrod-making-icon");
-    remove.ariaLabel = `Remove answer ${i + 1}`;
+    remove.ariaLabel = say("making-answer.remove", { number: String(i + 1) });
     remove.disabled = question.choices.length <= 2;
     return box("softrod-making-field", box("softrod-making-choice", right, input, remove), refusal(`question.choices[${i}]`));
   }

@@ -9,6 +9,7 @@ import { readNumber } from "../../ui/gui/numbers.js";
 import { Chooser } from "./chooser.js";
 import { box, labelled, makeArea, makeCheck, makeInput, makeSelect, refusal, setOptions } from "./fields.js";
 import { QuestionForm } from "./question_form.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Step} Step */
 /** @typedef {import("../../wire/wire.js").LessonOffers} LessonOffers */
@@ -23,6 +24,15 @@ const TEXTS = /** @type {const} */ (["title", "do", "watch"]);
 
 /** The field that a name begins with, as in "question.choices[1]". @param {string} name */
 const fieldOf = (name) => name.split(/[.[]/)[0];
+
+/** What each kind of arrows is called. @satisfies {Record<NonNullable<Step["arrows"]>[number], import("../../words/keys.js").Plain>} */
+const ARROWS = /** @type {const} */ ({ forces: "making-arrow-forces", velocities: "making-arrow-velocities", torques: "making-arrow-torques" });
+
+/** What the arrows of a step are. @param {Step["arrows"]} arrows */
+function arrowsText(arrows) {
+  if (arrows === null) return say("making-arrows.stay");
+  return arrows.length ? say("making-arrows", { arrows: arrows.map((kind) => say(ARROWS[kind])).join(", ") }) : say("making-arrows.none");
+}
 
 /** A group of fields. @param {string} title @param {...Node} content */
 function section(title, ...content) {
@@ -45,62 +55,62 @@ export class StepForm {
     this.texts = { title: this.textField("title", makeInput()), do: this.textField("do", makeArea()), watch: this.textField("watch", makeArea()) };
     this.question = new QuestionForm((question) => this.change({ question }), (field, change) => this.sendLater(field, change));
     this.begins = make("p", "softrod-making-now");
-    this.takeSettings = makeButton("Begin as it is now", () => this.take("settings"));
+    this.takeSettings = makeButton(say("making-begins.take"), () => this.take("settings"));
     this.nowSettings = make("p", "softrod-making-hint");
     this.runs = make("p", "softrod-making-now");
-    this.dropRun = makeButton("Run as it begins", () => this.change({ run: null }));
-    this.led = this.numberField("Mass", "run.leads.mass", () => {});
-    this.radius = this.numberField("circle (px)", "run.leads.radius", () => {});
-    this.turns = this.numberField("turns (Hz)", "run.leads.frequency", () => {});
+    this.dropRun = makeButton(say("making-runs.drop"), () => this.change({ run: null }));
+    this.led = this.numberField(say("making-lead.mass"), "run.leads.mass", () => {});
+    this.radius = this.numberField(say("making-lead.circle"), "run.leads.radius", () => {});
+    this.turns = this.numberField(say("making-lead.turns"), "run.leads.frequency", () => {});
     this.controlsTitle = make("summary", "");
     this.controls = make("div", "softrod-making-checks");
     const controls = make("details", "");
     controls.append(this.controlsTitle, this.controls, refusal("controls"));
     this.plots = make("p", "softrod-making-now");
-    this.takePlots = makeButton("Plots as they are open now", () => this.take("plots"));
-    this.dropPlots = makeButton("No plots", () => this.change({ plots: null }));
+    this.takePlots = makeButton(say("making-plots.take"), () => this.take("plots"));
+    this.dropPlots = makeButton(say("making-plots.drop"), () => this.change({ plots: null }));
     this.arrows = make("p", "softrod-making-now");
-    const takeArrows = makeButton("Arrows as they are on now", () => this.take("arrows"));
-    this.dropArrows = makeButton("Leave arrows alone", () => this.change({ arrows: null }));
-    this.ghost = makeSelect("A second body to compare with");
+    const takeArrows = makeButton(say("making-arrows.take"), () => this.take("arrows"));
+    this.dropArrows = makeButton(say("making-arrows.drop"), () => this.change({ arrows: null }));
+    this.ghost = makeSelect(say("making-ghost"));
     this.ghost.addEventListener("change", () => this.change({ ghost: this.ghost.value }));
-    this.predict = this.numberField("Predict where it is after (s)", "predict", () => {
+    this.predict = this.numberField(say("making-predict"), "predict", () => {
       const predict = this.read(this.predict);
       if (predict !== undefined) this.change({ predict });
     });
     const changeGoal = () => this.changeGoal();
-    this.aims = makeCheck("A goal to reach", "goal", (on) => this.toggleGoal(on));
-    this.goal = new Chooser("Goal", "goal.quantity", changeGoal);
-    this.low = this.numberField("from", "goal.low", changeGoal);
-    this.high = this.numberField("to", "goal.high", changeGoal);
-    this.seconds = this.numberField("for (s)", "goal.seconds", changeGoal);
+    this.aims = makeCheck(say("making-aims"), "goal", (on) => this.toggleGoal(on));
+    this.goal = new Chooser(say("making-goal"), "goal.quantity", changeGoal);
+    this.low = this.numberField(say("making-goal.low"), "goal.low", changeGoal);
+    this.high = this.numberField(say("making-goal.high"), "goal.high", changeGoal);
+    this.seconds = this.numberField(say("making-goal.seconds"), "goal.seconds", changeGoal);
     this.goal.element.append(box("softrod-making-row", this.low.box, this.high.box, this.seconds.box), refusal("goal"));
-    this.collects = makeCheck("Each one hands in a reading", "collect", (on) => this.change({ collect: on ? this.collect.reading : null }));
-    this.collect = new Chooser("Hand in", "collect.quantity", () => this.change({ collect: this.collect.reading }));
+    this.collects = makeCheck(say("making-collects"), "collect", (on) => this.change({ collect: on ? this.collect.reading : null }));
+    this.collect = new Chooser(say("making-collect"), "collect.quantity", () => this.change({ collect: this.collect.reading }));
     this.element.append(
-      labelled("Title", this.texts.title, "title"),
-      labelled("What to do", this.texts.do, "do"),
-      labelled("What to watch meanwhile (may be empty)", this.texts.watch, "watch"),
+      labelled(say("making-step-title"), this.texts.title, "title"),
+      labelled(say("making-do"), this.texts.do, "do"),
+      labelled(say("making-watch"), this.texts.watch, "watch"),
       this.question.element,
-      section("Begins with", this.begins, this.takeSettings, this.nowSettings, refusal("settings")),
+      section(say("making-begins"), this.begins, this.takeSettings, this.nowSettings, refusal("settings")),
       section(
-        "Runs with, once the question is answered",
-        this.runs, box("softrod-making-row", makeButton("Run as it is now", () => this.take("run")), this.dropRun), refusal("run"),
-        make("p", "softrod-making-hint", "Reset, pause, and change the numbers or drag the masses that the question is about."),
+        say("making-runs"),
+        this.runs, box("softrod-making-row", makeButton(say("making-runs.take"), () => this.take("run")), this.dropRun), refusal("run"),
+        make("p", "softrod-making-hint", say("making-runs.hint")),
         box("softrod-making-row", this.led.box, this.radius.box, this.turns.box),
-        makeButton("Lead this mass round", () => this.lead()),
+        makeButton(say("making-lead"), () => this.lead()),
       ),
       controls,
       section(
-        "Shows",
+        say("making-shows"),
         this.plots, box("softrod-making-row", this.takePlots, this.dropPlots), refusal("plots"),
         this.arrows, box("softrod-making-row", takeArrows, this.dropArrows), refusal("arrows"),
-        labelled("A second body to compare with", this.ghost, "ghost"),
+        labelled(say("making-ghost"), this.ghost, "ghost"),
       ),
       section(
-        "In a class",
+        say("making-class"),
         this.predict.box, this.aims.label, this.goal.element, this.collects.label, this.collect.element,
-        make("p", "softrod-making-hint", "Click a mass to choose among its quantities."),
+        make("p", "softrod-making-hint", say("making-class.hint")),
       ),
     );
   }
@@ -157,7 +167,7 @@ export class StepForm {
     this.flush();
     const [mass, radius, frequency] = [this.led, this.radius, this.turns].map((field) => this.read(field));
     if (mass === undefined || radius === undefined || frequency === undefined) return;
-    if (mass === null || !Number.isInteger(mass) || mass < 0) return this.refuse("run", "run.leads.mass", "Type the number of a mass, from 0.");
+    if (mass === null || !Number.isInteger(mass) || mass < 0) return this.refuse("run", "run.leads.mass", say("making-lead.refused"));
     send({ do: "leadInStep", step: this.number, mass, radius: radius ?? 0, frequency: frequency ?? 1 });
   }
 
@@ -186,7 +196,7 @@ export class StepForm {
     if (!text) return null;
     const number = readNumber(text);
     if (!Number.isNaN(number)) return number;
-    this.refuse(name, name, `“${text.slice(0, 40)}” is not a number. Write one as 20000, 2e4 or 0.05.`);
+    this.refuse(name, name, say("ui-number-none", { written: text.slice(0, 40) }));
     return undefined;
   }
 
@@ -236,24 +246,24 @@ export class StepForm {
     for (const name of TEXTS) this.put(this.texts[name], name, step[name]);
     const typed = [...this.waiting.keys()].some((field) => this.question.element.contains(field));
     if (!typed && this.isNew("question", step.question)) this.question.show(step.question);
-    this.begins.textContent = begins || "The scene as it is saved.";
-    this.nowSettings.textContent = offers.settings ? `Now: ${offers.settings}.` : "";
+    this.begins.textContent = begins || say("making-begins.saved");
+    this.nowSettings.textContent = offers.settings ? say("making-begins.now", { settings: offers.settings }) : "";
     this.nowSettings.hidden = !offers.settings || offers.settings === begins;
     this.takeSettings.disabled = offers.settings === begins;
-    this.runs.textContent = runs || "As it begins.";
+    this.runs.textContent = runs || say("making-runs.same");
     this.dropRun.hidden = !step.run;
     const [lead] = step.run?.leads ?? [];
     if (lead && this.isNew("leads", lead)) {
       for (const [{ input }, value] of /** @type {const} */ ([[this.led, lead.mass], [this.radius, lead.circle.radius], [this.turns, lead.circle.frequency ?? 1]])) input.value = String(value);
     }
     this.showControls(step.controls, offers);
-    this.plots.textContent = step.plots?.length ? `Plots: ${step.plots.join("; ")}.` : "No plots.";
+    this.plots.textContent = step.plots?.length ? say("making-plots", { plots: step.plots.join("; ") }) : say("making-plots.none");
     this.takePlots.disabled = offers.plots.length === 0;
     this.dropPlots.hidden = !step.plots?.length;
     const { arrows } = step;
-    this.arrows.textContent = arrows === null ? "Arrows stay as they are." : arrows.length ? `Arrows: ${arrows.join(", ")}.` : "No arrows.";
+    this.arrows.textContent = arrowsText(arrows);
     this.dropArrows.hidden = arrows === null;
-    setOptions(this.ghost, [["", "none"], ...Object.entries(offers.methods)], step.ghost ?? "");
+    setOptions(this.ghost, [["", say("making-ghost.none")], ...Object.entries(offers.methods)], step.ghost ?? "");
     this.showClass(step, offers);
   }
 
@@ -271,9 +281,9 @@ export class StepForm {
     const focused = this.controls.contains(document.activeElement) ? document.activeElement?.getAttribute("data-focus") : null;
     const labels = new Map(controls.map(({ key, label }) => [key, label]));
     this.controlsTitle.textContent = chosen.length
-      ? `Pupils get: ${chosen.map((key) => labels.get(key) ?? key).join(", ")}`
-      : "Pupils get no sliders";
-    const gone = chosen.filter((key) => !labels.has(key)).map((key) => ({ key, label: `${key}, which does not apply to the scene` }));
+      ? say("making-controls", { controls: chosen.map((key) => labels.get(key) ?? key).join(", ") })
+      : say("making-controls.none");
+    const gone = chosen.filter((key) => !labels.has(key)).map((key) => ({ key, label: say("making-controls.gone", { control: key }) }));
     this.controls.replaceChildren(
       ...[...gone, ...controls].map(({ key, label }) => {
         const { check, label: row } = makeCheck(label, `control ${key}`, (on) =>

@@ -3,6 +3,7 @@
 import { send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { box } from "./fields.js";
+import { say } from "../../words/words.js";
 
 export const MAX_STEPS = 20;
 
@@ -58,13 +59,13 @@ export class StepList {
     one.setAttribute("aria-current", "step");
     item.append(box(
       "softrod-making-tools",
-      this.tool("↑", "Move up", i > 0, () => this.move(i - 1)),
-      this.tool("↓", "Move down", i + 1 < this.titles.length, () => this.move(i + 1)),
-      this.tool("Duplicate", "Duplicate", this.titles.length < MAX_STEPS, () => {
+      this.tool("↑", say("making-up"), i > 0, () => this.move(i - 1)),
+      this.tool("↓", say("making-down"), i + 1 < this.titles.length, () => this.move(i + 1)),
+      this.tool(say("making-duplicate"), say("making-duplicate"), this.titles.length < MAX_STEPS, () => {
         send({ do: "copyStep", step: i });
         this.expect(i + 1);
       }),
-      this.tool("Remove", "Remove", true, () => {
+      this.tool(say("making-remove"), say("making-remove"), true, () => {
         send({ do: "removeStep", step: i });
         this.focused = `step ${Math.max(0, i - 1)}`;
       }),

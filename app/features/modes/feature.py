@@ -18,6 +18,7 @@ from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...wire.messages import FromPage
 from ...wire.sections import joined
+from ...words import say
 from . import messages
 
 LEVELS_EVERY = 1.0 / 20.0
@@ -129,7 +130,7 @@ class ModesFeature(Feature):
         state = messages.Modes(
             on=True,
             number=watch.number,
-            trouble="" if modes.omega.size else "it does not vibrate about its pose at rest",
+            trouble="" if modes.omega.size else say("modes-still"),
             frequencies=_rounded(modes.omega / (2.0 * math.pi)),
             damping=_rounded(modes.damping_ratios),
             full=_rounded(watch.full),

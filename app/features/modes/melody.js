@@ -5,6 +5,7 @@ import { few } from "./shapes.js";
 import { melodyOf } from "./tones.js";
 import { onMessage } from "../../wire/channel.js";
 import { make, overCanvas } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 
 /** Seconds of a plot. */
 const LASTS = 3;
@@ -23,7 +24,7 @@ export function listenToMelodies() {
     const numbers = values.map((value) => value ?? Number.NaN);
     const finite = numbers.filter(Number.isFinite);
     if (!finite.length) {
-      live.textContent = `${name} has no values to hear`;
+      live.textContent = say("melody-none", { name });
       return;
     }
     before?.stop();
@@ -42,6 +43,6 @@ export function listenToMelodies() {
     oscillator.stop(begin + LASTS + 20 * WAY);
     before = oscillator;
     const [low, high] = [Math.min(...finite), Math.max(...finite)];
-    live.textContent = `${name}, from ${few(low)} to ${few(high)} ${unit}`;
+    live.textContent = say("melody-heard", { name, low: few(low), high: few(high), unit });
   });
 }

@@ -12,6 +12,7 @@ import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("../../wire/wire.js").Modes} Modes
@@ -33,9 +34,6 @@ const FAR = 0.2;
 /** Milliseconds between two readings for a screen reader. */
 const READ_EVERY = 500;
 
-const HOW = "Point at a bar for its shape. Drag it: the body swings so. Press and hold it: it is driven.";
-const OTHERS = "In none of these: faster modes, and what a large motion has beyond small ones";
-
 /** A frequency as it stands below a bar. @param {number} f Hz */
 const hertz = (f) => few(f, f < 100 ? 2 : 3);
 /** @param {KeyboardEvent} event */
@@ -43,7 +41,7 @@ const isPress = ({ code, key }) => code === "Space" || key === "Enter";
 
 /** The strip, which is hidden while nobody looks at modes. */
 class ModeStrip {
-  strip = makeStrip("modes", "Modes");
+  strip = makeStrip("modes", say("modes-strip"));
   row = make("div", "softrod-modes-bars");
   sound = addSound();
   marks = new ShapeMarks(() => ({ shapes: this.shapes, frames: this.levels?.frames }));
@@ -68,9 +66,9 @@ class ModeStrip {
 
   constructor() {
     const close = makeButton("×", () => perform("modes"), "softrod-modes-close");
-    close.ariaLabel = "Close the modes";
-    close.title = withKey("Close", "modes");
-    this.strip.says.textContent = HOW;
+    close.ariaLabel = say("modes-close");
+    close.title = withKey(say("modes-close.hint"), "modes");
+    this.strip.says.textContent = say("modes-how");
     this.strip.head.append(...this.sound.controls, close);
     this.strip.strip.append(this.row);
     setInterval(() => this.driven >= 0 && send({ do: "driveMode", mode: this.driven }), REPEAT);
@@ -116,7 +114,7 @@ class ModeStrip {
     const { on = false, frequencies = [], damping = [] } = now;
     if (this.strip.strip.hidden === on) {
       this.strip.show(on);
-      this.strip.live.textContent = on ? "Modes are shown over the bar of time" : "";
+      this.strip.live.textContent = on ? say("modes-shown") : "";
       if (!on) this.forget();
     }
     if (!on || now.trouble || !now.frequencies) this.levels = null;
@@ -141,17 +139,22 @@ class ModeStrip {
   /** @param {number} i */
   inWords(i) {
     const share = this.levels?.shares[i] ?? 0;
-    const ofEnergy = `${percent(share)} of the energy`;
-    if (i === this.bars.length - 1) return `${OTHERS}${share < 0 ? `; the modes alone would have ${percent(share)} more` : `: ${ofEnergy}`}`;
+    if (i === this.bars.length - 1) return say(share < 0 ? "modes-others.lacks" : "modes-others", { share: percent(share) });
     const damping = this.modes.damping?.[i] ?? 0;
-    const dies = damping >= 1 ? "does not swing" : `damping ${percent(damping)}`;
-    return `Mode ${i + 1}: ${few(this.frequencies[i])} Hz, ${this.inUnits(i)}, ${dies}, ${i === this.driven ? "driven" : ofEnergy}`;
+    const read = {
+      number: String(i + 1),
+      frequency: few(this.frequencies[i]),
+      amplitude: this.inUnits(i),
+      swings: damping < 1 ? "yes" : "no",
+      damping: percent(damping),
+    };
+    return i === this.driven ? say("modes-reading-driven", read) : say("modes-reading", { ...read, share: percent(share) });
   }
 
   /** Says what is looked at. */
   tell() {
-    const found = this.bars.length ? (this.looked >= 0 ? this.inWords(this.looked) : HOW) : "The modes are being looked for.";
-    const text = this.modes.trouble ? `No modes: ${this.modes.trouble}.` : found;
+    const found = this.bars.length ? (this.looked >= 0 ? this.inWords(this.looked) : say("modes-how")) : say("modes-looking");
+    const text = this.modes.trouble ? say("modes-none", { why: this.modes.trouble }) : found;
     if (this.strip.says.textContent !== text) this.strip.says.textContent = text;
   }
 
@@ -195,7 +198,7 @@ class ModeStrip {
     if (i === this.driven) return;
     this.driven = i;
     send({ do: "driveMode", mode: i });
-    if (i >= 0) this.strip.live.textContent = `Mode ${i + 1} is driven`;
+    if (i >= 0) this.strip.live.textContent = say("modes-driven", { number: String(i + 1) });
     this.look();
   }
 
@@ -272,7 +275,7 @@ class ModeStrip {
       this.put(i, part);
       this.sendPut();
       this.dragged = -1;
-      this.strip.live.textContent = `Mode ${i + 1}: ${few(100 * this.part, 2)} percent of a full bar`;
+      this.strip.live.textContent = say("modes-level", { number: String(i + 1), percent: few(100 * this.part, 2) });
     } else if (side) this.bars[(i + side + this.bars.length) % this.bars.length].element.focus();
     else if (isPress(event)) this.drive(i);
     else return;
@@ -282,7 +285,7 @@ class ModeStrip {
 
   // ----------------------------------------------------------------------- bars
   build() {
-    const names = this.frequencies.length ? [...this.frequencies.map(hertz), "else"] : [];
+    const names = this.frequencies.length ? [...this.frequencies.map(hertz), say("modes-others.word")] : [];
     if (this.bars.length !== names.length) {
       this.forget();
       this.bars = names.map((_, i) => this.newBar(i));
@@ -290,7 +293,8 @@ class ModeStrip {
     }
     this.bars.forEach(({ element, name }, i) => {
       if (name.textContent !== names[i]) name.textContent = names[i];
-      element.ariaLabel = i < names.length - 1 ? `Mode ${i + 1}, ${few(this.frequencies[i])} hertz` : "In no mode";
+      const isMode = i < names.length - 1;
+      element.ariaLabel = isMode ? say("modes-bar", { number: String(i + 1), frequency: few(this.frequencies[i]) }) : say("modes-bar.others");
     });
     this.readOut();
   }
@@ -316,7 +320,7 @@ class ModeStrip {
       if (i === this.bars.length - 1) element.ariaLabel = this.inWords(i);
       else {
         element.ariaValueNow = String(Math.round(100 * Math.min(this.levels?.levels[i] ?? 0, 1)));
-        element.ariaValueText = `${this.inUnits(i)}, ${percent(this.levels?.shares[i] ?? 0)} of the energy`;
+        element.ariaValueText = say("modes-value", { amplitude: this.inUnits(i), share: percent(this.levels?.shares[i] ?? 0) });
       }
     });
   }

@@ -1,6 +1,7 @@
 // @ts-check
-/** Shapes and levels of modes as feature.py encodes them, and where a shape places the masses. Arithmetic only. */
+/** Shapes and levels of modes as feature.py encodes them, and where a shape places the masses. Arithmetic and words, without a page. */
 import { sections } from "../../wire/unpack.js";
+import { decimal, say } from "../../words/words.js";
 
 /**
  * @typedef {object} Shape
@@ -67,10 +68,10 @@ export function posed({ rest, part, modes }, mode, amplitude, frames) {
 }
 
 /** A number with as many digits as are useful. @param {number} value @param {number} [digits] */
-export const few = (value, digits = 3) => String(Number(value.toPrecision(digits)));
+export const few = (value, digits = 3) => decimal(String(Number(value.toPrecision(digits))));
 
 /** A share of the energy in words. @param {number} share */
 export function percent(share) {
   const value = 100 * Math.abs(share);
-  return value > 0 && value < 0.1 ? "less than 0.1 %" : `${few(value, value < 10 ? 2 : 3)} %`;
+  return value > 0 && value < 0.1 ? say("modes-share.least") : say("modes-share", { percent: few(value, value < 10 ? 2 : 3) });
 }

@@ -8,6 +8,7 @@ import { onMessage, pageState } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { kept, store } from "../../ui/kept/storage.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("./tones.js").Tone} Tone
@@ -117,7 +118,7 @@ export function loudspeaker() {
 export function addSound() {
   const button = makeButton("", () => turn(!on), "softrod-modes-sound");
   const slider = make("input", "softrod-modes-volume");
-  Object.assign(slider, { type: "range", min: "0", max: "1", step: "0.05", value: String(volume), ariaLabel: "Volume", title: "Volume" });
+  Object.assign(slider, { type: "range", min: "0", max: "1", step: "0.05", value: String(volume), ariaLabel: say("modes-volume"), title: say("modes-volume") });
   let on = false;
   /** @type {Voices | null} */
   let voices = null;
@@ -131,9 +132,9 @@ export function addSound() {
 
   const show = () => {
     button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${on ? ON : OFF}"/></svg>`;
-    button.ariaLabel = "Sound of the modes";
+    button.ariaLabel = say("modes-sound");
     button.ariaPressed = String(on);
-    button.title = withKey(on ? "Sound: on" : "Sound: off", "mute");
+    button.title = withKey(say(on ? "modes-sound.on" : "modes-sound.off"), "mute");
     slider.hidden = !on;
   };
   /** @param {boolean} to */

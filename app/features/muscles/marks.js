@@ -1,6 +1,6 @@
 // @ts-check
 /**
- * The places of muscles in their strip, and what a drag does to them. Arithmetic only.
+ * The places of muscles in their strip, and what a drag does to them. Arithmetic and words, without a page.
  *
  * A mark is the crest of its muscle's wave: its x is when in the beat the wave is largest, its y the amplitude.
  *
@@ -12,6 +12,7 @@
  * @typedef {{later: number, stretch: number, turn: number}} Way beats, a fraction, degrees
  */
 import { countMuscles, muscleAt, waveAt } from "../../stage/swing.js";
+import { decimal, say } from "../../words/words.js";
 
 /** Amplitude of a spring that reaches the edge of the strip, a fraction of its length, and the largest that there can be. */
 const FULL_STRETCH = 0.4;
@@ -188,13 +189,13 @@ export const movedBy = (mark, { later, stretch, turn }) => ({
 
 /** The name of what is dragged. @param {Dot} dot */
 export function nameOf({ joint, part, members, number }) {
-  const kind = joint ? "joint" : "spring";
-  if (members.length === 1) return `${kind} ${part}`;
-  return `group ${number}, ${kind}s ${part} to ${members[members.length - 1].part}`;
+  if (members.length === 1) return say(joint ? "muscles-joint" : "muscles-spring", { number: String(part) });
+  const group = { group: number, from: String(part), to: String(members[members.length - 1].part) };
+  return say(joint ? "muscles-joints" : "muscles-springs", group);
 }
 
 /** Amplitude and time of a muscle in words. @param {Mark} mark */
 export function inWords({ joint, amplitude, crest }) {
   const size = joint ? `${Math.round(amplitude)}°` : `${Math.round(100 * amplitude)} %`;
-  return `${amplitude > 0 ? "+" : ""}${size.replace("-", "−")} at ${crest.toFixed(2)} of the beat`;
+  return say("muscles-moves", { size: `${amplitude > 0 ? "+" : ""}${size.replace("-", "−")}`, crest: decimal(crest.toFixed(2)) });
 }

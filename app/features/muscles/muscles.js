@@ -19,6 +19,7 @@ import { MuscleMarks } from "./body_marks.js";
 import { timeNow } from "../../ui/clock.js";
 import { tuning } from "./tuning.js";
 import { canvasBox } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("./marks.js").Mark} Mark
@@ -54,7 +55,6 @@ const APART = 44;
 /** Milliseconds between two looks at the clock while the body is at rest. */
 const CLOCK_EVERY = 100;
 
-const HOW = "Drag a mark sideways: when it moves. Up or down: how far.";
 const NOWHERE = { later: 0, stretch: 0, turn: 0 };
 const DIAMOND = "M0 -9L9 0L0 9L-9 0Z";
 const DISC = "M-7 0a7 7 0 1 0 14 0a7 7 0 1 0 -14 0";
@@ -81,8 +81,8 @@ function select(dot, toggle) {
 }
 
 class MuscleStrip {
-  strip = makeStrip("muscles", "Muscles");
-  fold = makeButton("Muscles", () => this.setOpen(!this.isOpen), "softrod-muscles-fold");
+  strip = makeStrip("muscles", say("muscles-strip"));
+  fold = makeButton(say("muscles-strip"), () => this.setOpen(!this.isOpen), "softrod-muscles-fold");
   kinds = make("div", "softrod-segments");
   grouped = makeButton("", () => this.setGrouped(true), "");
   alone = makeButton("", () => this.setGrouped(false), "");
@@ -122,7 +122,7 @@ class MuscleStrip {
     strip.head.prepend(this.fold);
     strip.foldsBy(() => this.setOpen(false));
     this.kinds.setAttribute("role", "group");
-    this.kinds.ariaLabel = "What is moved";
+    this.kinds.ariaLabel = say("muscles-kinds");
     this.kinds.append(this.grouped, this.alone);
     strip.head.append(this.kinds, ...this.controls.elements);
     strip.strip.append(wave);
@@ -188,8 +188,8 @@ class MuscleStrip {
     const isCrowded = groups.length > 0 && groups.length < marks.length;
     this.kinds.hidden = !isCrowded || !this.isOpen;
     if (!isCrowded) return singles(marks);
-    this.grouped.textContent = `${groups.length} groups`;
-    this.alone.textContent = `${marks.length} muscles`;
+    this.grouped.textContent = say("muscles-kinds.groups", { count: String(groups.length) });
+    this.alone.textContent = say("muscles-kinds.muscles", { count: String(marks.length) });
     this.grouped.ariaPressed = String(this.isGrouped);
     this.alone.ariaPressed = String(!this.isGrouped);
     return this.isGrouped ? groups : singles(marks);
@@ -222,7 +222,9 @@ class MuscleStrip {
     const pointed = all.find(({ key }) => key === (this.drag?.held.key ?? this.hovered));
     const focused = all.find(({ key }) => this.elements.get(key) === document.activeElement);
     const named = pointed ?? focused ?? (chosen.length === 1 && chosen[0].members.length === some.length ? chosen[0] : null);
-    const words = !this.isOpen ? "" : named ? `${nameOf(named)}: ${inWords(named)}` : some.length ? `${some.length} muscles selected` : HOW;
+    const told = some.length ? say("muscles-selected", { count: some.length }) : say("muscles-how");
+    const pointedAt = named && say("muscles-pointed", { muscle: nameOf(named), moves: inWords(named) });
+    const words = this.isOpen ? (pointedAt ?? told) : "";
     if (this.strip.says.textContent !== words) this.strip.says.textContent = words;
     this.onBody.show([...(pointed?.members ?? []), ...(editing.on ? [] : some)]);
     if (!this.isOpen || !box.width) return;
@@ -245,7 +247,7 @@ class MuscleStrip {
     set(element, {
       transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})`,
       tabindex: mark.key === this.tabbed ? 0 : -1,
-      "aria-label": `Muscle of ${nameOf(mark)}${isSelected(mark) ? ", selected" : ""}`,
+      "aria-label": say(isSelected(mark) ? "muscles-mark.selected" : "muscles-mark", { muscle: nameOf(mark) }),
       "aria-valuenow": Math.round(100 * mark.crest),
       "aria-valuetext": inWords(mark),
     });

@@ -2,6 +2,7 @@
 /** Controls of the tempo, and of the selected muscles' wave and how often it comes in a beat. */
 import { send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("./marks.js").Mark} Mark */
 
@@ -22,11 +23,11 @@ function fill(select, label, options) {
 }
 
 export function tuning() {
-  const label = make("label", "softrod-muscles-tempo", "Tempo");
+  const label = make("label", "softrod-muscles-tempo", say("muscles-tempo"));
   const slider = make("input", "");
-  Object.assign(slider, { type: "range", min: "0", max: String(FAST), step: String(STEP), ariaLabel: "Tempo" });
+  Object.assign(slider, { type: "range", min: "0", max: String(FAST), step: String(STEP), ariaLabel: say("muscles-tempo") });
   const number = make("input", "");
-  Object.assign(number, { type: "number", min: "0", max: String(MAX_TEMPO), step: "0.1", ariaLabel: "Tempo in Hz" });
+  Object.assign(number, { type: "number", min: "0", max: String(MAX_TEMPO), step: "0.1", ariaLabel: say("muscles-tempo.hertz") });
   label.append(slider, number, "Hz");
   const visit = () => send({ do: "visit" });
   slider.addEventListener("pointerdown", visit);
@@ -43,16 +44,16 @@ export function tuning() {
   let tempo = 0;
 
   const some = make("span", "softrod-muscles-some");
-  const wave = fill(make("select", ""), "Wave of the selected muscles", [["sine", "Sine"], ["pulse", "Pulse"]]);
+  const wave = fill(make("select", ""), say("muscles-wave"), [["sine", say("muscles-wave.sine")], ["pulse", say("muscles-wave.pulse")]]);
   const often = fill(
     make("select", ""),
-    "Waves in a beat of the selected muscles",
+    say("muscles-often"),
     Array.from({ length: MAX_WAVES }, (_, k) => [String(k + 1), `${k + 1} ×`]),
   );
   wave.addEventListener("change", () => send({ do: "shapeMuscles", wave: wave.value === "pulse" ? "pulse" : "sine" }));
   often.addEventListener("change", () => send({ do: "shapeMuscles", per_beat: Number(often.value) }));
-  const spread = makeButton("Spread", () => send({ do: "shapeMuscles", spread: true }), "");
-  spread.title = "The selected muscles move one after the other, evenly over the beat";
+  const spread = makeButton(say("muscles-spread"), () => send({ do: "shapeMuscles", spread: true }), "");
+  spread.title = say("muscles-spread.hint");
   some.append(wave, often, spread);
 
   /** @param {HTMLSelectElement} select @param {string[]} values */

@@ -22,6 +22,7 @@ from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.opening import asked_scene
 from ...ui.page import Page
+from ...words import say
 from .messages import Race, RaceAnswer
 from .rivals import Rivals
 
@@ -111,7 +112,7 @@ class RaceFeature(Feature):
         """
         race = self.session.companions.get(Rivals)
         if race is not None and len(race.scenes) >= MAX_RIVALS:
-            raise SceneError(f"{MAX_RIVALS + 1} bodies are as many as can be in a race")
+            raise SceneError(say("race-full", count=str(MAX_RIVALS + 1)))
         return race.scenes if race is not None else ()
 
     def _find(self, text: str) -> sim.Scene:
@@ -128,7 +129,7 @@ class RaceFeature(Feature):
         # Only what is listed: a name could be the path of any file.
         info = self.page.shelf.find(text)
         if info is None:
-            raise SceneError(f"{text[:80]!r} is neither a link to a scene nor the name of one")
+            raise SceneError(say("race-unknown", text=repr(text[:80])))
         return read_scene(info.path)
 
     def frame(self, drawn: Drawn) -> None:

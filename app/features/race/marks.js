@@ -7,6 +7,7 @@ import { makeSvg, set } from "../../stage/svg.js";
 import { edgeArrow } from "../../stage/edge.js";
 import { onScreen } from "../../stage/screen.js";
 import { secondIn } from "../../stage/canvas.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("../../wire/wire.js").Race} Race
@@ -34,7 +35,7 @@ const TAG = 14;
 const [HALF, MARGIN] = [4.4, 6];
 
 /** How far a body is ahead of the other one, in words. @param {number} way px towards the finish */
-export const aheadText = (way) => `${distance(Math.abs(way))} ${way < 0 ? "behind" : "ahead"}`;
+export const aheadText = (way) => say(way < 0 ? "race-to.behind" : "race-to", { distance: distance(Math.abs(way)) });
 
 /**
  * Where the middle of words is that belong to a place, but do not go beyond the edges.
@@ -129,10 +130,10 @@ export function addRaceMarks(read) {
       // Of lines at about one place, the first is shown.
       const isShown = xs[i] > box.left && xs[i] < box.right && !xs.slice(0, i).some((x) => Math.abs(x - xs[i]) < APART);
       const isAlone = !xs.slice(0, i).some((x) => Math.abs(x - xs[i]) < WORDS);
-      finish(isShown ? xs[i] : null, isAlone ? `Finish, ${distance(Math.abs(race.finish))}` : "", seen);
+      finish(isShown ? xs[i] : null, isAlone ? say("race-finish", { way: distance(Math.abs(race.finish)) }) : "", seen);
     });
     const left = Math.abs(race.finish) - race.ways[0] * Math.sign(race.finish);
-    toFinish.draw([xs[0], flagTop(box)], `Finish, ${aheadText(left)}`, seen);
+    toFinish.draw([xs[0], flagTop(box)], say("race-finish", { way: aheadText(left) }), seen);
     const second = secondIn(frame);
     const theirs = second ? onScreen(second.plan, second.frame.positions, on) : [];
     const names = namesOf(race), isPair = marks.length === 2;
@@ -143,7 +144,8 @@ export function addRaceMarks(read) {
       from = end;
       // One's own is told apart from the best of the others, each of these from one's own.
       const ahead = i ? (race.ways[i] - race.ways[0]) * Math.sign(race.finish) : lead(race);
-      away.draw(own, `${i && !isPair ? `${names[i]}, ` : ""}${aheadText(ahead)}`, seen);
+      const way = aheadText(ahead);
+      away.draw(own, i && !isPair ? say("race-named", { name: names[i], way }) : way, seen);
       // The others are of one colour.
       const isTagged = i > 0 && !isPair && own.length > 0;
       tag.style.display = isTagged ? "" : "none";

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from ...wire.messages import Event, State
+
+Out = Literal["", "exploded", "fell", "away", "misfit", "late"]
+"""What has kept a body from the finish; "away": the other way, "misfit": the terrain is not for it."""
 
 
 class Race(State, frozen=True, kw_only=True, omit_defaults=True):
@@ -17,7 +22,7 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
         finish: way of each from the start to the finish along x, px; negative to the left.
         lines: x of the finish of each, px.
         arrived: seconds that each took to the finish; null while it is on its way.
-        outs: what has kept each from the finish, such as "exploded"; empty while nothing has.
+        outs: what has kept each from the finish; empty while nothing has.
         masses: how many the second body of a picture has of each of the others.
         more: whether another body can be added.
     """
@@ -30,7 +35,7 @@ class Race(State, frozen=True, kw_only=True, omit_defaults=True):
     finish: float = 0.0
     lines: tuple[float, ...] = ()
     arrived: tuple[float | None, ...] = ()
-    outs: tuple[str, ...] = ()
+    outs: tuple[Out, ...] = ()
     masses: tuple[int, ...] = ()
     more: bool = False
 

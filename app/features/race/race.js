@@ -8,14 +8,14 @@ import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
-import { distance, fullRace, isOver, namesOf, verdict } from "./words.js";
+import { distance, fullRace, isOver, listed, namesOf, verdict } from "./words.js";
 import { addRaceMarks } from "./marks.js";
 import { fit } from "../../stage/camera.js";
 import { redrawMarks } from "../../stage/sight.js";
 import { theGallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
@@ -25,8 +25,7 @@ const COUNT = 700;
 const READ_EVERY = 3000;
 /** The group of presets that move by themselves. */
 const MOVING = say("gallery-muscles");
-const RULE =
-  "All start together, on this body's terrain, and the middle of each counts at the finish. Changes of this body and of the terrain are allowed, and are noted here; Race again makes it fair.";
+const GO = say("race-go");
 
 let race = fullRace({ tell: "race" });
 
@@ -37,9 +36,9 @@ const raceAgainst = (text) => void sendParts("rival", encodeURIComponent(text.tr
 function makeLine() {
   const line = make("form", "softrod-dialog-line softrod-rival");
   const pasted = make("input", "softrod-search");
-  pasted.placeholder = "Paste a link, or choose below";
-  pasted.ariaLabel = "Link to the scene to race against";
-  line.append(pasted, make("button", "softrod-button softrod-first", "Race"));
+  pasted.placeholder = say("race-choose.paste");
+  pasted.ariaLabel = say("race-choose.link");
+  line.append(pasted, make("button", "softrod-button softrod-first", say("race-choose.go")));
   line.addEventListener("submit", (event) => {
     event.preventDefault();
     if (pasted.value.trim()) raceAgainst(pasted.value);
@@ -48,7 +47,7 @@ function makeLine() {
 }
 
 /** Chooses a rival, or one more. */
-const chooseRival = () => theGallery().open({ title: "Race against", line: makeLine(), first: MOVING, pick: raceAgainst });
+const chooseRival = () => theGallery().open({ title: say("race-choose"), line: makeLine(), first: MOVING, pick: raceAgainst });
 
 /** Chooses a rival; or in a race, starts it again. */
 const openRace = () => (race.on ? start() : chooseRival());
@@ -66,17 +65,17 @@ function makeRow(i) {
 let start = () => {};
 
 function makeRace() {
-  const { strip, head, says, live, show } = makeStrip("race", "Race");
-  const begin = makeButton("Start", () => start(), "softrod-race-start");
-  begin.title = withKey("All from the start, after a count-down", "race");
-  const leave = makeButton("Leave", () => perform("leaveRace"), "");
-  leave.title = "Leave the race; this body goes on alone";
-  const add = makeButton("Add", chooseRival, "");
-  add.title = "Another body joins the race";
+  const { strip, head, says, live, show } = makeStrip("race", say("race-strip"));
+  const begin = makeButton(say("race-start"), () => start(), "softrod-race-start");
+  begin.title = withKey(say("race-start.hint"), "race");
+  const leave = makeButton(say("race-leave"), () => perform("leaveRace"), "");
+  leave.title = say("race-leave.hint");
+  const add = makeButton(say("race-add"), chooseRival, "");
+  add.title = say("race-add.hint");
   head.append(begin, add, leave);
   /** @type {ReturnType<typeof makeRow>[]} */
   let rows = [];
-  const rule = make("small", "softrod-race-rule", RULE);
+  const rule = make("small", "softrod-race-rule", say("race-rule"));
   strip.append(rule);
   const count = make("div", "softrod-count");
   count.ariaLive = "assertive";
@@ -92,7 +91,7 @@ function makeRace() {
   /** @param {number} left */
   const countDown = (left) => {
     count.hidden = false;
-    count.textContent = left ? String(left) : "Go!";
+    count.textContent = left ? String(left) : GO;
     const box = canvasBox();
     if (box) Object.assign(count.style, { left: `${box.left + box.width / 2}px`, top: `${box.top + box.height / 3}px` });
     if (!left) perform("run");
@@ -107,10 +106,10 @@ function makeRace() {
     countDown(3);
   };
   window.addEventListener("keydown", ({ key }) => key === "Escape" && stopCount(), true);
-  onMessage("pageState", ({ playing }) => playing && counting && count.textContent !== "Go!" && stopCount());
+  onMessage("pageState", ({ playing }) => playing && counting && count.textContent !== GO && stopCount());
   return (/** @type {Required<Race>} */ now) => {
     const { on, ways, seconds, fair, finish, arrived } = now;
-    if (strip.hidden === on) live.textContent = on ? `A race against ${namesOf(now).slice(1).join(" and ")}. ${withKey("Start", "race")}.` : "The race is left";
+    if (strip.hidden === on) live.textContent = on ? say("race-begins", { names: listed(namesOf(now).slice(1)), start: withKey(say("race-start"), "race") }) : say("race-left");
     else if (seconds < before) live.textContent = ""; // so that the same result is read out again
     before = seconds;
     show(on);
@@ -126,14 +125,16 @@ function makeRace() {
       if (who.textContent !== name) who.textContent = name;
       const part = finish ? Math.max(0, Math.min(1, ways[i] / finish)) : 0;
       bar.style.transform = `scaleX(${(arrived[i] === null ? part : 1).toFixed(4)})`;
-      way.textContent = arrived[i] === null ? distance(ways[i] * Math.sign(finish)) : `${arrived[i]?.toFixed(2)} s`;
+      way.textContent = arrived[i] === null ? distance(ways[i] * Math.sign(finish)) : `${decimal(Number(arrived[i]).toFixed(2))} s`;
     });
     const begun = seconds > 0;
     const someoneIsThere = arrived.some((time) => time !== null);
-    const after = someoneIsThere || isOver(now) ? "" : `, after ${seconds.toFixed(1)} s`;
-    const text = begun ? `${verdict(now)}${after}${fair ? "" : "; changed or moved on the way"}` : "";
-    if (says.textContent !== (text || "At the start")) says.textContent = text || "At the start";
-    begin.textContent = begun ? "Race again" : "Start";
+    const isDecided = someoneIsThere || isOver(now);
+    const result = isDecided ? verdict(now) : say("race-so-far", { verdict: verdict(now), seconds: decimal(seconds.toFixed(1)) });
+    const text = fair ? result : say("race-unfair", { verdict: result });
+    const shown = begun ? text : say("race-at-start");
+    if (says.textContent !== shown) says.textContent = shown;
+    begin.textContent = say(begun ? "race-start.again" : "race-start");
     rule.hidden = begun && fair;
     if (!begun || !on) return;
     /** @param {string} words */
@@ -141,7 +142,7 @@ function makeRace() {
     if (isOver(now) || !pageState().playing) tell(text);
     else if (!someoneIsThere && performance.now() - read > READ_EVERY) {
       read = performance.now();
-      tell(verdict(now).replace(/ by .*/, ""));
+      tell(verdict(now, false));
     }
   };
 }

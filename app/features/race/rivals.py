@@ -14,13 +14,14 @@ from sim.errors import SceneError
 from ...session.companions import Companion
 from ...session.finish import arrival
 from ...session.pacing import Costs
+from .messages import Out
 
 _ROUNDING = 1e-6
 """Part of a time step by which a step may be incomplete and still counts as whole."""
 
 
 LIMIT = 30.0
-"""Simulated seconds after which a race ends."""
+"""Simulated seconds after which a race ends; the page says so, too."""
 
 FALL = 2.0
 """Heights of the view by which a body has fallen out of the race."""
@@ -32,12 +33,12 @@ class Runner(NamedTuple):
     Attributes:
         start: x and y of its centre of mass at the start, px.
         arrived: simulated seconds from the start to the finish; None before that.
-        out: what has kept it from the finish, such as "exploded"; empty while nothing has.
+        out: what has kept it from the finish; empty while nothing has.
     """
 
     start: tuple[float, float]
     arrived: float | None = None
-    out: str = ""
+    out: Out = ""
 
     @property
     def is_done(self) -> bool:
@@ -157,7 +158,7 @@ class Rivals(Companion):
             self._note(simulation)
         for i in misfits:
             self._lanes[i] = Lane(stopped=True)
-            self._drop(i + 1, "does not fit this terrain")
+            self._drop(i + 1, "misfit")
 
     def adapt(self, simulation: sim.Simulation) -> None:
         """See `begin`: the terrain may have changed."""
@@ -192,7 +193,7 @@ class Rivals(Companion):
         self.costs = max(self._each, key=lambda costs: costs.unit)
         if all(self.seconds - lane.owed >= LIMIT for lane in self._lanes):
             for i in range(len(self.runners)):
-                self._drop(i, f"needed more than {LIMIT:g} s")
+                self._drop(i, "late")
 
     def _move(self, i: int, body: sim.Simulation, costs: Costs, seconds: float, budget: float) -> None:
         """Advance one rival.
@@ -235,11 +236,11 @@ class Rivals(Companion):
             late = 0.0 if after is None else steps * body.dt - after
             self._set(i, runner._replace(arrived=seconds - late))
         elif way <= -abs(self.finish):
-            self._drop(i, "went the other way")
+            self._drop(i, "away")
         elif fallen >= FALL * (view.frame[3] - view.frame[1]):
             self._drop(i, "fell")
 
-    def _drop(self, i: int, why: str) -> None:
+    def _drop(self, i: int, why: Out) -> None:
         """Take one of the bodies out of the race, unless it is done."""
         if not self.runners[i].is_done:
             self._set(i, self.runners[i]._replace(out=why))
