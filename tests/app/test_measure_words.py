@@ -33,3 +33,16 @@ def test_quantities_are_called_in_the_language_that_is_spoken() -> None:
         assert part_called("joint3") == "Gelenk 3"
         assert quantity_of("joint", "rest_angle") == "Ruhewinkel"
         assert quantity_of("formula", "mass0.x + 1") == "mass0.x + 1"
+
+
+def test_the_solver_is_told_of_in_the_page_s_language() -> None:
+    with speaking("de"):
+        page = WholePage("rod")
+        page.frames(2)
+        page.enter("Vergleichen mit", "Symplektischer Euler")
+        page.enter("Schritt des Geists", "ein Zehntel")
+        page.frames(2)
+        ghost = page.session.ghost
+        assert ghost is not None and (ghost.method, ghost.finer) == ("symplectic_euler", 10)
+        assert "hält die Toleranz" in page.gui.text() or "gleiche Schritte" in page.gui.text()
+        assert page.gui["Abstimmung"].hint.startswith("was die Steifigkeiten")

@@ -11,9 +11,8 @@ from sim.solve.registry import METHODS
 
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command
+from ...words import say
 from .job import Job, paragraph
-
-LUCK = "A tolerance above the error is not advised, even where the run happened to end as near."
 
 
 class MethodPanel:
@@ -27,16 +26,16 @@ class MethodPanel:
     def __init__(self, page: Page, order: float) -> None:
         self._page, self._job = page, Job(page)
         self._button = page.button(
-            "Which method?",
+            say("solver-which"),
             viser.Icon.SCALE,
             self._ask,
-            hint="tries them all on the first second of the scene: which is near enough, and fast",
+            hint=say("solver-which.hint"),
             order=order,
         )
         self._advice = page.client.gui.add_html("", order=order + 0.1)
         self._is_pending = False  # until its result is shown
         self._found: tuple[sim.Scene, str] | None = None
-        add_command(page.client.gui, "Which method suits the scene?", self._ask)
+        add_command(page.client.gui, say("solver-which.command"), self._ask)
 
     @property
     def waits(self) -> bool:
@@ -55,10 +54,10 @@ class MethodPanel:
         if found is not None and not _moves_alike(found[0], scene):
             self._found = found = None
         self._button.disabled = busy
-        self._advice.content = paragraph("All methods are tried ...") if busy else found[1] if found else ""
+        self._advice.content = paragraph(say("solver-which.busy")) if busy else found[1] if found else ""
 
     def _ask(self) -> None:
-        if self._job.run_on_scene("Methods cannot be compared", self._compare, instead="softrod study"):
+        if self._job.run_on_scene(say("solver-which.fails"), self._compare, instead="softrod study"):
             self._is_pending = True
 
     def _compare(self, scene: sim.Scene) -> None:
@@ -70,7 +69,7 @@ def _advice_html(advice: Advice) -> str:
 
     sentences = [*map(advice.sentence, ERRORS)]
     if any(METHODS[one.method].adaptive for one in advice.tried):
-        sentences.append(LUCK)
+        sentences.append(say("solver-which.luck"))
     return "".join(map(paragraph, sentences)) + (methods_svg(advice) if advice.tried else "")
 
 
