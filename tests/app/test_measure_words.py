@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
+
 from app.features.hands.messages import Pick
+from app.pages.sandbox.assets import page_in
 from app.words import speaking
 from app.words.quantities import part_called, quantity_of
 from sim.motion.quantities import KINDS
@@ -46,3 +49,18 @@ def test_the_solver_is_told_of_in_the_page_s_language() -> None:
         assert ghost is not None and (ghost.method, ghost.finer) == ("symplectic_euler", 10)
         assert "hält die Toleranz" in page.gui.text() or "gleiche Schritte" in page.gui.text()
         assert page.gui["Abstimmung"].hint.startswith("was die Steifigkeiten")
+
+
+def test_what_is_taken_home_is_offered_in_the_page_s_language() -> None:
+    with speaking("de"):
+        page = WholePage("rod")
+        page.frames(2)
+    labels = {one.label for one in page.gui.there}
+    assert {"Mit Haltung", "Datei öffnen", "Live-Datei", "Körper als"} <= labels
+
+
+def test_the_page_of_videos_is_in_the_browser_s_language() -> None:
+    page = gzip.decompress(page_in("/video", "de").content).decode()
+    assert "Orte in einem Video" in page and 'aria-label="Ein Bild weiter"' in page
+    assert "video-lost = { $name } ist in Bild" in page
+    assert "{say" not in page
