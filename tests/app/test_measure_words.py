@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import gzip
+import math
+from typing import Any
 
+import sim
 from app.features.hands.messages import Pick
 from app.pages.sandbox.assets import page_in
-from app.words import speaking
+from app.session import commands
+from app.session.notices import runaway_notice
+from app.session.predictability import verdict
+from app.ui.viser.handlers import on_press
+from app.words import language, speaking
 from app.words.quantities import part_called, quantity_of
+from sim.analysis.predictability import verdict as in_english
 from sim.motion.quantities import KINDS
+from sim.motion.stability import StabilityEstimate
+from tests.app.panels import Handle
 from tests.app.whole import WholePage
 
 
@@ -64,3 +74,46 @@ def test_the_page_of_videos_is_in_the_browser_s_language() -> None:
     assert "Orte in einem Video" in page and 'aria-label="Ein Bild weiter"' in page
     assert "video-lost = { $name } ist in Bild" in page
     assert "{say" not in page
+
+
+def test_an_explosion_is_explained_in_the_page_s_language() -> None:
+    scene = sim.rope()
+
+    def said(limit: float, cause: Any, **fields: Any) -> str:
+        estimate = StabilityEstimate(limit, cause)
+        return runaway_notice(
+            sim.Divergence(3, 1, "speed", 1e6, 0.01, lambda: estimate, **fields), scene
+        ).text
+
+    with speaking("de"):
+        assert "bei Dehnsteifigkeit " in said(0.004, "linear stiffness")
+        assert "bei dieser Steifigkeit: Wände" in said(0.004, "walls")
+        text = said(math.inf, None)
+        assert text.startswith("Angehalten vor Schritt 1: Masse 3 wurde zu schnell (über ")
+        assert "verkürze den Zeitschritt" in text
+        assert "bewege ihn sanfter oder" in said(math.inf, None, adaptive=True)
+        assert "hat keine Energie" in said(0.1, "walls", driven=True)
+    divergence = sim.Divergence(3, 7, "step", 0.0, 0.01, lambda: StabilityEstimate(0.1, "walls"))
+    sentence = str(divergence)
+    assert runaway_notice(divergence, scene).text.startswith(sentence[:1].upper() + sentence[1:])
+
+
+def test_steps_of_undo_and_the_meaning_of_errors_are_said_in_the_page_s_language() -> None:
+    with speaking("de"):
+        page = WholePage("rope")
+        page.frames(1, commands.SetValue("gravity", 100.0))
+        assert page.session.versions.undoable == "Schwerkraft"
+        assert verdict(page.session.scene, 1.0).startswith("Fehler wachsen nicht: ")
+        assert verdict(page.session.scene, 1e3).endswith(" s ist.")
+    for factor in (1.0, 3.0, 1e3):
+        for scene in (sim.rope(), sim.rope(integrator=sim.Integrator(method="rk4"))):
+            english = in_english(scene, factor)
+            assert verdict(scene, factor) == f"{english[:1].upper()}{english[1:]}."
+
+
+def test_what_a_control_calls_speaks_the_language_it_was_made_in() -> None:
+    handle, said = Handle(), list[str]()
+    with speaking("de"):
+        on_press(handle, lambda: said.append(language()), blocks=True)
+    handle.enter()
+    assert said == ["de"]
