@@ -178,16 +178,28 @@ class Player:
             how = say("session-differs-apart", distance=f"{apart:.3g} {unit}")
         else:
             how = say("session-differs-unknown")
-        where = {
-            "step": str(check.step),
-            "time": f"{check.time:.6g}",
-            "check": str(self._checks),
-            "checks": str(self.record.checks),
-            "agreed": str(self._agreed),
-            "how": how,
-        }
-        here, machine = log.this_machine(), self.record.machine
+        step, time_then, agreed = str(check.step), f"{check.time:.6g}", str(self._agreed)
+        number, checks = str(self._checks), str(self.record.checks)
+        here, machine = str(log.this_machine()), str(self.record.machine)
         if here == machine:
-            self.difference = say("session-differs", **where)
+            self.difference = say(
+                "session-differs",
+                step=step,
+                time=time_then,
+                check=number,
+                checks=checks,
+                agreed=agreed,
+                how=how,
+            )
         else:
-            self.difference = say("session-differs.elsewhere", **where, machine=str(machine), here=str(here))
+            self.difference = say(
+                "session-differs.elsewhere",
+                step=step,
+                time=time_then,
+                check=number,
+                checks=checks,
+                agreed=agreed,
+                how=how,
+                machine=machine,
+                here=here,
+            )

@@ -1451,6 +1451,9 @@ export type Words = {
   "solver-did-dt": "step";
   "solver-did-ratio": "ratio";
   "solver-did-frequency": "frequency";
+  "solver-figure": never;
+  "solver-figure.error": never;
+  "solver-figure.time": never;
   "stage-away": never;
   "stage-drag": never;
   "stage-empty": never;

@@ -13,11 +13,12 @@ from app.session import commands
 from app.session.notices import runaway_notice
 from app.session.predictability import verdict
 from app.ui.viser.handlers import on_press
-from app.words import language, speaking
+from app.words import find, language, speaking
 from app.words.quantities import part_called, quantity_of
 from sim.analysis.predictability import verdict as in_english
 from sim.motion.quantities import KINDS
 from sim.motion.stability import StabilityEstimate
+from sim.solve.registry import METHODS
 from tests.app.panels import Handle
 from tests.app.whole import WholePage
 
@@ -59,6 +60,11 @@ def test_the_solver_is_told_of_in_the_page_s_language() -> None:
         assert ghost is not None and (ghost.method, ghost.finer) == ("symplectic_euler", 10)
         assert "hält die Toleranz" in page.gui.text() or "gleiche Schritte" in page.gui.text()
         assert page.gui["Abstimmung"].hint.startswith("was die Steifigkeiten")
+
+
+def test_each_method_says_what_it_is_good_for() -> None:
+    said = {name: find(f"solver-method-{name.replace('_', '-')}") for name in METHODS}
+    assert said == {name: method.summary for name, method in METHODS.items()}
 
 
 def test_what_is_taken_home_is_offered_in_the_page_s_language() -> None:

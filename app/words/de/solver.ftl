@@ -72,3 +72,6 @@ solver-did-sag = Durchhang { $length }
 solver-did-dt = Stabil bis { $step }
 solver-did-ratio = Dämpfungsgrad { $ratio }
 solver-did-frequency = { $frequency } Hz
+solver-figure = Rechenzeit der Verfahren über ihrem Fehler
+    .error = Fehler nach einer Sekunde, px
+    .time = Rechenzeit, ms
