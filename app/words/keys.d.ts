@@ -1454,6 +1454,13 @@ export type Words = {
   "solver-figure": never;
   "solver-figure.error": never;
   "solver-figure.time": never;
+  "solver-advice-still": "error";
+  "solver-advice-doubt": "error" | "doubt";
+  "solver-advice-none": "error";
+  "solver-advice-take": "error" | "setting" | "off";
+  "solver-advice-take.fast": "error" | "setting" | "off" | "other" | "far";
+  "solver-advice-take.slow": "error" | "setting" | "off" | "other" | "ratio" | "far";
+  "solver-advice-setting": "method" | "value";
   "stage-away": never;
   "stage-drag": never;
   "stage-empty": never;

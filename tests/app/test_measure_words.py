@@ -8,6 +8,7 @@ from typing import Any
 
 import sim
 from app.features.hands.messages import Pick
+from app.features.solver.method_panel import advice_for
 from app.pages.sandbox.assets import page_in
 from app.session import commands
 from app.session.notices import runaway_notice
@@ -15,6 +16,7 @@ from app.session.predictability import verdict
 from app.ui.viser.handlers import on_press
 from app.words import find, language, speaking
 from app.words.quantities import part_called, quantity_of
+from sim.analysis.advice import Advice, Tried
 from sim.analysis.predictability import verdict as in_english
 from sim.motion.quantities import KINDS
 from sim.motion.stability import StabilityEstimate
@@ -65,6 +67,16 @@ def test_the_solver_is_told_of_in_the_page_s_language() -> None:
 def test_each_method_says_what_it_is_good_for() -> None:
     said = {name: find(f"solver-method-{name.replace('_', '-')}") for name in METHODS}
     assert said == {name: method.summary for name, method in METHODS.items()}
+
+
+def test_which_method_suits_a_scene_is_said_as_by_sim_and_in_the_page_s_language() -> None:
+    rk4, auto = Tried("rk4", 0.002, 0.05, 1.0), Tried("auto", 0.01, 0.02, 3.0)
+    for tried in ((), (rk4,), (rk4, auto), (rk4, auto._replace(seconds=1.05))):
+        for doubt, moved in ((0.0, 9.0), (0.9, 9.0), (0.0, 0.5)):
+            advice = Advice(tried, doubt, moved)
+            assert advice_for(advice, 1.0) == advice.sentence(1.0)
+    with speaking("de"):
+        assert "nimm Runge-Kutta 4 mit 2 ms, das 0.05 px" in advice_for(Advice((rk4, auto), 0.0, 9.0), 1.0)
 
 
 def test_what_is_taken_home_is_offered_in_the_page_s_language() -> None:

@@ -6,12 +6,13 @@ import msgspec
 import viser
 
 import sim
-from sim.analysis.advice import ERRORS, Advice, compare_methods
+from sim.analysis.advice import AS_FAST, ERRORS, Advice, Tried, best_two, compare_methods
 from sim.solve.registry import METHODS
 
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command
 from ...words import say
+from ...words.settings import options_of
 from .job import Job, paragraph
 
 
@@ -67,10 +68,43 @@ class MethodPanel:
 def _advice_html(advice: Advice) -> str:
     from ...export.method_picture import methods_svg  # matplotlib does not delay the start
 
-    sentences = [*map(advice.sentence, ERRORS)]
+    sentences = [advice_for(advice, error) for error in ERRORS]
     if any(METHODS[one.method].adaptive for one in advice.tried):
         sentences.append(say("solver-which.luck"))
     return "".join(map(paragraph, sentences)) + (methods_svg(advice) if advice.tried else "")
+
+
+def advice_for(advice: Advice, error: float) -> str:
+    """Name the cheapest method for an error, px, and the cost of the next best, as `Advice.sentence` does."""
+    to = f"{error:g}"
+    if advice.moved <= error:
+        return say("solver-advice-still", error=to)
+    if advice.is_doubtful(error):
+        return say("solver-advice-doubt", error=to, doubt=f"{advice.doubt:.1g}")
+    best, other = best_two(advice.tried, error)
+    if best is None:
+        return say("solver-advice-none", error=to)
+    setting, off = _setting(best), f"{best.error:.1g}"
+    if other is None:
+        return say("solver-advice-take", error=to, setting=setting, off=off)
+    second, far, ratio = _setting(other), f"{other.error:.1g}", other.seconds / best.seconds
+    if ratio < AS_FAST:
+        return say("solver-advice-take.fast", error=to, setting=setting, off=off, other=second, far=far)
+    return say(
+        "solver-advice-take.slow",
+        error=to,
+        setting=setting,
+        off=off,
+        other=second,
+        far=far,
+        ratio=f"{ratio:.2g}",
+    )
+
+
+def _setting(one: Tried) -> str:
+    """A method and its tolerance or time step."""
+    value = f"{one.value:g} px" if METHODS[one.method].adaptive else f"{1e3 * one.value:.3g} ms"
+    return say("solver-advice-setting", method=options_of("method")[one.method], value=value)
 
 
 def _moves_alike(one: sim.Scene, other: sim.Scene) -> bool:

@@ -87,3 +87,11 @@ solver-did-frequency = { $frequency } Hz
 solver-figure = Computing time of methods over their error
     .error = error after a second, px
     .time = computing, ms
+# Which method suits the scene: for an error, a method with its tolerance or time step, and the next best one.
+solver-advice-still = To { $error } px nothing can be told: the body ends less than that from its start.
+solver-advice-doubt = To { $error } px nothing can be told: near-exact solutions end { $doubt } px apart, since small errors grow in this motion.
+solver-advice-none = To { $error } px, none of the settings that were tried comes as near.
+solver-advice-take = To { $error } px, take { $setting }, which ends { $off } px off.
+    .fast = To { $error } px, take { $setting }, which ends { $off } px off; { $other } is as fast and ends { $far } px off.
+    .slow = To { $error } px, take { $setting }, which ends { $off } px off; { $other } takes { $ratio } times as long and ends { $far } px off.
+solver-advice-setting = { $method } at { $value }
