@@ -13,6 +13,7 @@ from typing import Literal
 
 import sim
 
+from ..words.keys import Key
 from .animation import animated_glb
 from .body.body import Body
 from .body.data import body_csv, body_json
@@ -109,9 +110,9 @@ class Button:
         icon: as viser names it; empty for a body as data or a program, whose buttons have no icons.
     """
 
-    label: str
+    label: Key
     saved_as: str
-    command: str
+    command: Key
     icon: str = ""
 
 
@@ -186,18 +187,18 @@ FORMATS = (
     Format("png", ("png",), "A picture of the end, FILE.png.", "end", _picture, races=True),
     Format(
         "gif", ("gif",), "A film, FILE.gif.", "motion", _film,
-        Button("GIF", "gif", "Film of the last seconds (GIF)", "gif"), races=True,
+        Button("files-gif", "gif", "files-gif.command", "gif"), races=True,
     ),
     Format(
         "html", ("html",), "A replay that any browser shows without a network, FILE.html.", "motion",
         lambda source, _: Made({"html": replay_html(source.clip())}),
-        Button("Replay file", "html", "Replay file of the last seconds (HTML)", "movie"), races=True,
+        Button("files-replay", "html", "files-replay.command", "movie"), races=True,
     ),
     Format(
         "live", ("html",),
         "The body itself, which moves and is dragged in any browser without a network, FILE.html.", "body",
         lambda source, _: _noted("html", live_html(source.body)),
-        Button("Live file", "live.html", "Live file of the body as it is now (HTML)", "world"),
+        Button("files-live", "live.html", "files-live.command", "world"),
     ),
     Format(
         "sheet", ("html",), "A lesson on one side of paper, for its teacher, FILE.html.", "body",
@@ -205,46 +206,46 @@ FORMATS = (
     ),
     Format(
         "glb", ("glb",), "A model of the end in three dimensions, FILE.glb.", "end", _model,
-        Button("3D model", "glb", "3D model (GLB)", "cube"),
+        Button("files-model", "glb", "files-model.command", "cube"),
     ),
     Format(
         "animation", ("glb",), "A model in three dimensions that moves, with keyframes, FILE.glb.", "motion",
         _animation,
-        Button("Animated model", "motion.glb", "Animated 3D model of the last seconds (GLB)", "cube-send"),
+        Button("files-animation", "motion.glb", "files-animation.command", "cube-send"),
         has_rate=True,
     ),
     Format(
         "motion", ("csv",), "Where all masses are in each frame, as a table in CSV, FILE.csv.", "motion",
-        _motion, Button("Keyframes", "motion.csv", "Keyframes of the last seconds (CSV)", "table"),
+        _motion, Button("files-motion", "motion.csv", "files-motion.command", "table"),
         has_rate=True,
     ),
     Format(
         "json", ("json",), "The body's numbers as plain arrays, FILE.json.", "body",
         lambda source, _: Made({"json": body_json(Body.of(source.body))}, _left_out(source)),
-        Button("JSON", "json", "Numbers of the body (JSON)"),
+        Button("files-json", "json", "files-json.command"),
     ),
     Format(
         "csv", ("zip",), "The body's numbers as tables in CSV, FILE.zip.", "body",
         lambda source, options: Made(
             {"zip": body_csv(Body.of(source.body), options.decimal_comma)}, _left_out(source)
         ),
-        Button("CSV", "zip", "Numbers of the body (tables in CSV)"),
+        Button("files-csv", "zip", "files-csv.command"),
     ),
     Format(
         "python", ("py",),
         "A program in Python with NumPy that moves the body by the tutorial's step, FILE.py.", "body",
         lambda source, _: _noted("py", python_program(Body.of(source.body))),
-        Button("Python", "py", "Program in Python"),
+        Button("files-python", "py", "files-python.command"),
     ),
     Format(
         "c", ("c",), "The same in C99, for a game's loop: FILE.c and, in the same folder, FILE.h.", "body",
-        _c, Button("C", "c.zip", "Program in C"),
+        _c, Button("files-c", "c.zip", "files-c.command"),
     ),
     Format(
         "javascript", ("js", "mjs"),
         "A module in JavaScript for games, which moves, pushes and drags the body, FILE.js or FILE.mjs.",
         "body", lambda source, _: _noted("js", javascript_program(source.body)),
-        Button("JavaScript", "js", "Program in JavaScript, for games"),
+        Button("files-javascript", "js", "files-javascript.command"),
     ),
 )  # fmt: skip
 """All kinds, in the order of the Share tab."""

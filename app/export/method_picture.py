@@ -12,6 +12,9 @@ from matplotlib.figure import Figure
 from sim.analysis.advice import Advice
 from sim.solve.registry import METHODS
 
+from ..words import say
+from ..words.settings import options_of
+
 SIZE = 3.3, 4.2
 """Width and height, inches; the page makes it as wide as there is room."""
 
@@ -24,6 +27,7 @@ def methods_svg(advice: Advice) -> str:
     figure = Figure(SIZE, layout="constrained")
     FigureCanvasSVG(figure)
     axes = figure.add_subplot()
+    labels = options_of("method")
     for name, method in METHODS.items():
         points = advice.front(name)
         color, marker = method.look
@@ -34,10 +38,10 @@ def methods_svg(advice: Advice) -> str:
             marker=marker,
             markersize=5.0,
             linewidth=1.4,
-            label=method.label,
+            label=labels[name],
         )
-    axes.set_xlabel("error after a second, px", color=_TEXT, fontsize=9.0)
-    axes.set_ylabel("computing, ms", color=_TEXT, fontsize=9.0)
+    axes.set_xlabel(say("solver-figure.error"), color=_TEXT, fontsize=9.0)
+    axes.set_ylabel(say("solver-figure.time"), color=_TEXT, fontsize=9.0)
     axes.tick_params(which="both", color=_GRID, labelcolor=_TEXT, labelsize=9.0)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_formatter("{x:g}")
@@ -49,7 +53,7 @@ def methods_svg(advice: Advice) -> str:
     file = io.StringIO()
     figure.savefig(file, format="svg", transparent=True, metadata={"Date": None})
     text = file.getvalue()
-    label = html.escape("Computing time of methods over their error", quote=True)
+    label = html.escape(say("solver-figure"), quote=True)
     drawing = re.sub(r' width="\S+" height="\S+"', "", text[text.index("<svg") :], count=1)
     drawing = drawing.replace("<svg ", f'<svg role="img" aria-label="{label}" style="width: 100%" ', 1)
     return drawing.replace(_TEXT, "currentColor").replace(_GRID, "var(--softrod-line)")

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..session.plots import Plot, PlotWindow
 from ..stage.colors import palette
+from ..words import say
 
 SIZE = 7.0, 4.2
 """Width and height, inches."""
@@ -56,12 +57,14 @@ def plot_png(
     for axis, unit, turned in zip(axes, units, plot.turned, strict=True):
         names = ", ".join(q.name for q in plot.quantities[:count] if q.unit == unit)
         label = f"{names}, {unit}" if unit else names
-        axis.set_ylabel(f"{label}, downwards" if turned else label, parse_math=False)  # a $ is a $
+        if turned:
+            label = say("measure-axis-downwards", label=label)
+        axis.set_ylabel(label, parse_math=False)  # a $ is a $
         if turned:
             axis.invert_yaxis()
     last = plot.quantities[-1]
     over = f"{last.name}, {last.unit}" if last.unit else last.name
-    left.set_xlabel(over if plot.spec.over else "time, s", parse_math=False)
+    left.set_xlabel(over if plot.spec.over else say("measure-axis-time"), parse_math=False)
     left.set_title(title, parse_math=False)
     left.grid(color=palette("softrod", dark=False).css("line"), linewidth=0.8)
     left.set_axisbelow(True)
@@ -96,8 +99,8 @@ def spectrum_png(
         axis.plot(frequencies, values, color=color, label=label, linewidth=1.4)
     for frequency, height, label in peaks:
         axis.annotate(label, (frequency, height), (0, 3), textcoords="offset points", ha="center", fontsize=9)
-    axis.set_xlabel("frequency, Hz")
-    axis.set_ylabel("amplitude")
+    axis.set_xlabel(say("measure-axis-frequency"))
+    axis.set_ylabel(say("measure-number-amplitude"))
     axis.set_ylim(bottom=0.0)
     axis.set_title(title, parse_math=False)
     axis.grid(color=palette("softrod", dark=False).css("line"), linewidth=0.8)

@@ -21,6 +21,7 @@ from sim.settings import CHOICES, settings_of
 from ..stage.looks import SPEEDS
 from ..words import say
 from ..words.keys import Key
+from ..words.settings import label_of, label_of_choice
 from . import log
 from .ghost import Ghost
 from .hand import DRAG_EVENT, FRAME
@@ -118,7 +119,7 @@ class SetValue(Command):
             return
         value = min(max(self.value, setting.low), setting.high)
         act = log.Set(key=self.key, value=value)
-        session.change(lambda: session.recorder.do(act), setting.label, self.key)
+        session.change(lambda: session.recorder.do(act), label_of(setting), self.key)
         if self.key not in _NOT_OF_REST:
             session.rest_pose_preview.update(session.simulation, session.now())
 
@@ -139,7 +140,7 @@ class SetChoice(Command):
     refresh = Refresh.CONTROLS
 
     def apply(self, session: Session, at: float) -> None:
-        label = CHOICES[self.key].label if self.key in CHOICES else self.key
+        label = label_of_choice(self.key) if self.key in CHOICES else self.key
         act = log.Choose(key=self.key, value=self.value)
         session.change(lambda: session.recorder.do(act), label)
         if self.key == "method" and session.follows_energy:
@@ -267,7 +268,7 @@ class Undo(Command):
     """Take back the last change of the scene; the motion continues."""
 
     def apply(self, session: Session, at: float) -> None:
-        _continue_at(session, session.versions.undo(session.simulation.capture()), "session-back.redo")
+        _continue_at(session, session.versions.undo(session.simulation.capture()), "session-back-to.redo")
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_undo(session.simulation.capture().scene)
@@ -277,7 +278,7 @@ class Redo(Command):
     """Do again what was taken back last."""
 
     def apply(self, session: Session, at: float) -> None:
-        _continue_at(session, session.versions.redo(session.simulation.capture()), "session-back.undo")
+        _continue_at(session, session.versions.redo(session.simulation.capture()), "session-back-to.undo")
 
     def takes_over(self, session: Session) -> bool:
         return session.versions.has_redo(session.simulation.capture().scene)
@@ -297,8 +298,9 @@ def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, b
         session.continue_at(*version)
         now = session.scene
         if version[1] is None and now.name != before.name:
-            title = say("session-back", title=shown_name(now))
-            session.notices.append(Notice("info", title, say(back, before=shown_name(before))))
+            text = say(back, scene=shown_name(before))
+            title = say("session-back-to", scene=shown_name(now))
+            session.notices.append(Notice("info", title, text))
 
 
 # ------------------------------------------------------------------------- another body
@@ -330,7 +332,7 @@ class Open(Command):
         if begins:
             session.versions.amend_leap(opened)
         else:
-            session.versions.add_leap(f"opening {shown_name(self.scene)}", before, opened)
+            session.versions.add_leap(say("session-opening", scene=shown_name(self.scene)), before, opened)
         if stopped or self.waits:
             session.play(not self.waits)
         session.awaits_answer = self.waits

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Literal
 
 import sim
 from sim.settings import SETTINGS
 
-from ..words import number, say
+from ..words import find, say
+from ..words.keys import Key
 
 About = Literal["runaway", "shape"]
 
@@ -32,42 +34,60 @@ class Notice:
 
 def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     """The notice that the simulation of a scene has stopped."""
-    limit, cause = divergence.stability.limit, divergence.stability.cause
-    if cause is not None and divergence.dt > limit:
-        setting = SETTINGS.get(cause.replace(" ", "_"))
-        value = f"{cause} {setting.read(scene):g}" if setting else f"the stiffness of the {cause}"
-        remedy = "lower either of them" if setting else "lower it or choose the integrator Auto"
-        text = (
-            f"Time step {divergence.dt:.3g} s is above the stability limit {limit:.2g} s at {value}. "
-            f"The last good state is shown. Go back to just before it, {remedy}, and go on; or press Reset."
+    stability, step = divergence.stability, f"{divergence.dt:.3g}"
+    cause, limit = stability.cause, f"{stability.limit:.2g}"
+    if cause is None or divergence.dt <= stability.limit:
+        text = say(
+            "session-exploded.otherwise",
+            step=str(divergence.step),
+            what=say(_WHAT[divergence.quantity], mass=str(divergence.mass), limit=f"{divergence.limit:,.0f}"),
+            why=say(_why(divergence)),
+            remedy=say(_remedy(divergence)),
         )
     else:
-        text = (
-            f"{_capitalized(str(divergence))}. The last good state is shown. Go back to "
-            f"just before it, {_remedy(divergence)}, and go on; or press Reset."
-        )
-    return Notice("error", "The body exploded", text, "runaway")
+        called = find(f"session-cause-{cause.replace(' ', '-')}", cause)
+        setting = SETTINGS.get(cause.replace(" ", "_"))
+        if setting is None:
+            text = say("session-exploded.part", step=step, limit=limit, part=called)
+        else:
+            value = f"{setting.read(scene):g}"
+            text = say("session-exploded.setting", step=step, limit=limit, setting=called, value=value)
+    return Notice("error", say("session-exploded"), text, "runaway")
 
 
 def shape_notice(error: sim.DesignError) -> Notice:
     """The notice that a body cannot keep its shape."""
-    text = f"{_capitalized(error.sentence)}."
-    if error.motion is not None:
-        text += f" {say('session-no-shape.line')}"
-    if error.stiffening is not None:
-        text += f" {say('session-no-shape.stiffen', times=number(error.stiffening))}"
-    return Notice("error", say("session-no-shape"), text, "shape")
+    why = error.sentence[:1].upper() + error.sentence[1:]
+    if error.stiffening is None:
+        text = say("session-shape.text" if error.motion is None else "session-shape.line", why=why)
+    else:
+        times = f"{float(f'{error.stiffening:.3g}'):g}"  # as the button has it
+        text = say(
+            "session-shape.button" if error.motion is None else "session-shape.both", why=why, times=times
+        )
+    return Notice("error", say("session-shape"), text, "shape")
 
 
-def _capitalized(sentence: str) -> str:
-    return sentence[:1].upper() + sentence[1:]
+_WHAT: dict[str, Key] = {
+    "number": "session-what-number",
+    "position": "session-what-position",
+    "step": "session-what-step",
+    "speed": "session-what-speed",
+}
 
 
-def _remedy(divergence: sim.Divergence) -> str:
+def _why(divergence: sim.Divergence) -> Key:
+    """The likely cause where the time step was below the stability limit."""
+    if divergence.adaptive:
+        return "session-why-law" if divergence.driven else "session-why-violent"
+    if math.isinf(divergence.stability.limit):
+        return "session-why-violent-step"
+    return "session-why-small-law" if divergence.driven else "session-why-small"
+
+
+def _remedy(divergence: sim.Divergence) -> Key:
     """What helps a body that ran away though the time step was below the stability limit."""
     if divergence.driven:
         # No step is small enough for a law that creates energy.
-        return "move it more gently, raise the damping or choose another force law"
-    if divergence.adaptive:
-        return "move it more gently or raise the damping"
-    return "lower the time step, choose the integrator Auto, raise the damping or move it more gently"
+        return "session-remedy-law"
+    return "session-remedy-gently" if divergence.adaptive else "session-remedy-step"

@@ -22,6 +22,7 @@ from sim.motion.formulas import MAX_LENGTH
 from sim.motion.quantities import PARTS, Kind
 from sim.motion.recording import table_text
 
+from ..words import say
 from .samples import Samples
 from .session import Session
 
@@ -136,11 +137,11 @@ class Plot:
     def __init__(self, spec: PlotSpec, scene: sim.Scene) -> None:
         names = tuple(dict.fromkeys(spec.names))
         if len(names) > MAX_SERIES:
-            raise InputError(f"a plot has room for {MAX_SERIES} quantities")
+            raise InputError(say("session-plot-many", count=MAX_SERIES))
         self.quantities = tuple(find(name, scene) for name in (*names, *((spec.over,) if spec.over else ())))
         self.spec = PlotSpec(tuple(q.name for q in self.quantities[: len(names)]), spec.over)
         if len(self.units) > MAX_UNITS:
-            raise InputError(f"a plot has room for two units, but not for {', '.join(self.units)}")
+            raise InputError(say("session-plot-units", units=", ".join(self.units)))
         self._y_down = scene.view.y_down
         left, top, right, bottom = scene.view.frame
         self._least_length = scene.view.unit, MIN_LENGTH * max(right - left, bottom - top)

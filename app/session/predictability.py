@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
-from sim.analysis.predictability import MANY, TwinTrajectory, factor_of, growth_within, verdict
+from sim.analysis.predictability import MANY, STILL, TwinTrajectory, factor_of, growth_within, horizon
+from sim.solve.registry import METHODS
 
+from ..words import say
 from .companions import Companion
 from .pacing import smoothed
 
@@ -116,5 +118,29 @@ class PredictabilityMeter(Companion):
 
     @property
     def verdict(self) -> str:
-        """What the growth means, in words; empty if unknown."""
+        """What the growth means, in a sentence; empty if unknown."""
         return "" if self.growth is None else verdict(self._scene, factor_of(self.growth / SPAN))
+
+
+def verdict(scene: sim.Scene, per_second: float) -> str:
+    """What a growth of errors means for a scene's tolerance or time step, in a sentence.
+
+    `sim.analysis.predictability` says it in English.
+
+    Args:
+        scene: the scene.
+        per_second: the factor by which errors grow per second.
+    """
+    adaptive, factor = METHODS[scene.integrator.method].adaptive, f"{per_second:.2g}"
+    if per_second >= MANY:
+        seconds = f"{horizon(scene, per_second):.2g}"
+        if adaptive:
+            return say("session-errors-lost", factor=factor, seconds=seconds)
+        return say("session-errors-lost.step", factor=factor, seconds=seconds)
+    grows = per_second >= STILL
+    if not adaptive:
+        return say("session-errors-step.grow", factor=factor) if grows else say("session-errors-step")
+    tolerance = f"{scene.integrator.tolerance:g} {scene.view.unit}"
+    if grows:
+        return say("session-errors-kept.grow", factor=factor, tolerance=tolerance)
+    return say("session-errors-kept", tolerance=tolerance)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from sim.compiling.compiler import Compiler, cache_trouble
 from sim.engine.tables import Body
-from sim.solve.registry import METHODS
 
+from ..words import say
+from ..words.settings import options_of
 from .session import Refresh, Session
 
 
@@ -19,9 +20,9 @@ def compile_status(ready: int, of: int, busy_with: str, awaited: str) -> str:
         awaited: the method that the body waits for, stepped by NumPy meanwhile; empty if it does not wait.
     """
     if awaited:
-        text = f"moves by NumPy until {awaited} is compiled: {ready} of {of} parts ready"
+        text = say("session-awaited", what=awaited, ready=ready, count=of)
     elif ready < of:
-        text = f"preparing {busy_with}: {ready} of {of} parts ready"
+        text = say("session-preparing", what=busy_with, ready=ready, count=of)
     else:
         return ""
     trouble = cache_trouble()
@@ -55,7 +56,9 @@ class Preparation:
             return
         ready, of = self._compiler.progress
         self.is_done = ready == of
-        text = compile_status(ready, of, self._compiler.busy_with, METHODS[method].label if waits else "")
+        text = compile_status(
+            ready, of, self._compiler.busy_with, options_of("method")[method] if waits else ""
+        )
         if text != session.preparing:
             session.preparing = text
             session.refresh(Refresh.SETTINGS)

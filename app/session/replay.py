@@ -10,6 +10,8 @@ import sim
 from sim.errors import InputError, SceneError, SettingError
 from sim.motion.solver import UNLIMITED
 
+from ..words import say
+from ..words.keys import Key
 from . import log
 from .history import History
 from .log import Entry, Log
@@ -17,7 +19,7 @@ from .log import Entry, Log
 _MAX_OWED = 0.5
 """Simulated seconds that a replay catches up on, at most."""
 
-_TOO_HEAVY = "this frame is too heavy to be played in a page; `softrod run --inputs` can do it"
+_TOO_HEAVY: Key = "session-too-heavy"
 
 
 class Player:
@@ -105,7 +107,7 @@ class Player:
                 if self._owed <= 0.0:
                     break
                 if entry.n > most:
-                    raise self._named(_TOO_HEAVY)
+                    raise self._named(say(_TOO_HEAVY))
                 self._owed -= entry.n * self.simulation.dt
             done += self.do(attempts)
             if time.perf_counter() >= end:
@@ -122,8 +124,10 @@ class Player:
         """How the replay compares with what was recorded, in one sentence."""
         if self.difference is not None:
             return self.difference
-        checks = "its check agrees" if self._checks == 1 else f"all {self._checks} checks agree"
-        return f"replayed {self.steps} steps; {checks}" + (f", digest {self._digest}" if self._digest else "")
+        steps, checks = str(self.steps), self._checks
+        if not self._digest:
+            return say("session-replayed", steps=steps, checks=checks)
+        return say("session-replayed.digest", steps=steps, checks=checks, digest=self._digest)
 
     def _named(self, reason: str) -> InputError:
         return InputError(f"{self.record.source}: line {self.record.lines[self._index]}: {reason}")
@@ -136,7 +140,7 @@ class Player:
                 done = simulation.step(n, min(allowed, most))
                 self._note(log.Step(n=n, attempts=min(allowed, most)))
                 if done < n and most < allowed and simulation.divergence is None:
-                    raise InputError(_TOO_HEAVY)
+                    raise InputError(say(_TOO_HEAVY))
                 return done
             case log.FollowEnergy() if self._energy:
                 pass
@@ -167,18 +171,35 @@ class Player:
             return
         some = log.noted(self.simulation)
         if moves:
-            largest = "not in positions and velocities, but in what keys, damage or friction did"
+            how = say("session-differs-hidden")
         elif len(check.at) == len(some):
             apart = float(np.hypot(*(some - check.at).T).max())
             unit = self.simulation.scene.view.unit
-            largest = f"largest distance of a mass noted {apart:.3g} {unit}"
+            how = say("session-differs-apart", distance=f"{apart:.3g} {unit}")
         else:
-            largest = "largest distance unknown"
-        here = log.this_machine()
-        elsewhere = f"; it was recorded on {self.record.machine}, this is {here}"
-        self.difference = (
-            f"differs first at step {check.step}, t = {check.time:.6g} s "
-            f"(check {self._checks} of {self.record.checks}; it agrees at step {self._agreed}), "
-            + largest
-            + (elsewhere if here != self.record.machine else "")
-        )
+            how = say("session-differs-unknown")
+        step, time_then, agreed = str(check.step), f"{check.time:.6g}", str(self._agreed)
+        number, checks = str(self._checks), str(self.record.checks)
+        here, machine = str(log.this_machine()), str(self.record.machine)
+        if here == machine:
+            self.difference = say(
+                "session-differs",
+                step=step,
+                time=time_then,
+                check=number,
+                checks=checks,
+                agreed=agreed,
+                how=how,
+            )
+        else:
+            self.difference = say(
+                "session-differs.elsewhere",
+                step=step,
+                time=time_then,
+                check=number,
+                checks=checks,
+                agreed=agreed,
+                how=how,
+                machine=machine,
+                here=here,
+            )

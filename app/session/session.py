@@ -25,6 +25,7 @@ from sim.model.system import same_topology
 from sim.motion.stability import StabilityEstimate
 
 from ..words import say
+from ..words.keys import Key
 from . import keepsakes, log
 from .companions import Companions
 from .driving import Driving
@@ -337,7 +338,7 @@ class Session:
 
         def find() -> bytes:
             if self.replay is not None:
-                raise InputError("a log is being played; there is nothing else to save")
+                raise InputError(say("session-log-plays"))
             return self.recorder.file()
 
         return self._ask(find)
@@ -362,7 +363,7 @@ class Session:
         try:
             return result.result(timeout=5.0)
         except TimeoutError:
-            raise InputError("the scene is busy; try again") from None
+            raise InputError(say("session-busy")) from None
 
     # --------------------------------------------------------------------- the ticker's thread
     def drain(self) -> None:
@@ -381,13 +382,13 @@ class Session:
                     self.refusal, self.refused_shape = error, self.simulation.positions
                     self.notices.append(shape_notice(error))
                 else:
-                    self.notices.append(Notice("error", say("session-not-done"), str(error)))
+                    self.notices.append(Notice("error", say("session-cannot"), str(error)))
         if self.replay is None and (not self.playing or self.simulation.divergence is not None):
             self.hands.steer(self.following, glide=False)
 
     def _apply(self, command: Command, at: float) -> None:
         if self.replay is not None and command.takes_over(self):
-            self._end_replay("You have taken over from the replay.")
+            self._end_replay(say("session-replay-ended.taken"))
         if command.takes_over(self) or command.brings_body:
             self.refusal = None
         command.apply(self, at)
@@ -539,7 +540,8 @@ class Session:
             with_body, force_law=with_solver.force_law, integrator=with_solver.integrator
         )
         self.let_go()
-        self.change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"), f"own values of the {of}")
+        own: Key = "session-own-body" if of == "body" else "session-own-solver"
+        self.change(lambda: self.recorder.set_scene(scene, keys_too=of == "body"), say(own))
 
     def continue_at(self, moment: sim.Moment, edit: Edit | None) -> None:
         """Continue at a moment of an edited scene, at the same time.
@@ -595,7 +597,7 @@ class Session:
         try:
             saved = keepsakes.decode(keepsake)
         except SceneError as error:
-            raise SceneError(f"could not be resumed: {error}") from None
+            raise SceneError(say("session-not-resumed", why=str(error))) from None
         moment, choices = saved.moment, saved.choices
         known = versions.return_to(moment.scene) if versions is not None else None
         if known is not None:
@@ -779,7 +781,7 @@ class Session:
             most, attempts = self.costs.affordable(MAX_SECONDS), self.costs.attempts(MAX_SECONDS)
             done = player.advance(steps * simulation.dt, budget, most, attempts)
         except InputError as error:
-            self._end_replay(f"It cannot go on: {error}.")
+            self._end_replay(say("session-replay-ended.stuck", why=str(error)))
             return
         self.costs.learn(done, time.perf_counter() - began, simulation.work)
         self._count(now, done, 0, began)
@@ -787,12 +789,12 @@ class Session:
         self._refresh_since(scene)
         if player.ended:
             self.play(False)
-            begins = "It agrees with the log: " if player.agrees else "It does not agree with the log: it "
-            self._end_replay(f"{begins}{player.verdict}.", "info" if player.agrees else "warning")
+            ends: Key = "session-replay-ended.agrees" if player.agrees else "session-replay-ended.differs"
+            self._end_replay(say(ends, verdict=player.verdict), "info" if player.agrees else "warning")
 
     def _end_replay(self, text: str, kind: Literal["info", "warning"] = "info") -> None:
         self.replay = self._viewer = None
         self.recorder = Recorder(self.simulation, _AFTER_REPLAY, self.history)
         self.hold_keys(frozenset(), self._keys_at)
         self.refresh(Refresh.SETTINGS)
-        self.notices.append(Notice(kind, "The replay has ended", text))
+        self.notices.append(Notice(kind, say("session-replay-ended"), text))

@@ -225,8 +225,7 @@ def predictability_table(session: Session) -> str:
         say("errors-solver"): f"{1e3 * meter.cost:.3f} ms",
     }
     kind = "softrod-lag" if meter.is_chaotic else "softrod-about"
-    words = html.escape(meter.verdict)
-    return f'{table(rows)}<div class="softrod-text {kind}">{words[:1].upper()}{words[1:]}.</div>'
+    return f'{table(rows)}<div class="softrod-text {kind}">{html.escape(meter.verdict)}</div>'
 
 
 _MORE: dict[str, Key] = {

@@ -91,11 +91,15 @@ class Advice:
                 kept.append(one)
         return kept
 
+    def is_doubtful(self, error: float) -> bool:
+        """Whether the references are too far apart for an error, px."""
+        return self.doubt > _SURE * error
+
     def sentence(self, error: float) -> str:
         """Name the cheapest method for an error, px, and the cost of the next best."""
         if self.moved <= error:
             return f"To {error:g} px nothing can be told: the body ends less than that from its start."
-        if self.doubt > _SURE * error:
+        if self.is_doubtful(error):
             return (
                 f"To {error:g} px nothing can be told: near-exact solutions end {self.doubt:.1g} px apart, "
                 "since small errors grow in this motion."
@@ -103,16 +107,21 @@ class Advice:
         return f"To {error:g} px, {recommended(self.tried, error)}."
 
 
-def recommended(tried: Iterable[Tried], error: float) -> str:
-    """Name the cheapest setting tried for an error, px, and the cost of the next best method."""
+def best_two(tried: Iterable[Tried], error: float) -> tuple[Tried | None, Tried | None]:
+    """Return the cheapest setting tried for an error, px, and the cheapest of another method."""
     # If a tolerance exceeds the error, meeting the error is luck.
     lucky = (one for one in tried if METHODS[one.method].adaptive and one.value > error)
     good = sorted({one for one in tried if one.error <= error} - {*lucky}, key=lambda one: one.seconds)
-    if not good:
+    best = good[0] if good else None
+    return best, next((one for one in good if best is not None and one.method != best.method), None)
+
+
+def recommended(tried: Iterable[Tried], error: float) -> str:
+    """Name the cheapest setting tried for an error, px, and the cost of the next best method."""
+    best, other = best_two(tried, error)
+    if best is None:
         return "none of the settings that were tried comes as near"
-    best = good[0]
     said = f"take {_setting(best)}, which ends {best.error:.1g} px off"
-    other = next((one for one in good if one.method != best.method), None)
     if other is None:
         return said
     ratio = other.seconds / best.seconds

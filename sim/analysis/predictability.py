@@ -31,6 +31,9 @@ MANY = 100.0
 """Growth of errors per second from which a tolerance may not be met: for random bodies, `auto` meets all
 tolerances where errors grow less; see the study in docs."""
 
+STILL = 1.5
+"""Growth of errors per second below which they are said not to grow."""
+
 _PERTURBATION, _TOLERANCE = 1e-4, 5e-6
 """Size of the perturbation and tolerance of the two bodies, relative to a typical spring length."""
 _LEAST, _MOST = 0.1, 30.0
@@ -305,7 +308,7 @@ def verdict(scene: Scene, per_second: float) -> str:
     """
     integrator = scene.integrator
     adaptive = METHODS[integrator.method].adaptive
-    grow = "errors do not grow" if per_second < 1.5 else f"errors grow × {per_second:.2g} in a second"
+    grow = "errors do not grow" if per_second < STILL else f"errors grow × {per_second:.2g} in a second"
     if per_second < MANY:
         kept = f"a tolerance of {integrator.tolerance:g} {scene.view.unit} is kept"
         return f"{grow}: {kept if adaptive else 'a shorter time step makes them smaller'}"

@@ -25,7 +25,7 @@ from app.export.formats import FORMATS
 from app.session import commands
 from app.session.session import Session
 from app.stage.plan import Picture
-from app.words import language, speaking
+from app.words import language, say, speaking
 from sim.errors import InputError
 from sim.scene.types import Damage
 from tests.app.clips import swing
@@ -290,7 +290,7 @@ def test_the_guides_have_every_kind_of_file() -> None:
     docs = Path(__file__).parents[2] / "docs"
     heads = [line.split("|")[1] for line in (docs / "export.md").read_text().splitlines() if line[:2] == "| "]
     labels = {label.strip() for head in heads for label in head.split(",")}
-    assert {each.button.label for each in FORMATS if each.button is not None} <= labels
+    assert {say(each.button.label) for each in FORMATS if each.button is not None} <= labels
     options = (docs / "command-line.md").read_text()
     for each in FORMATS:
         assert f"`--{each.flag} FILE.{each.endings[0]}`" in options

@@ -15,6 +15,7 @@ from app.session.notices import Notice
 from app.viser_inside import element_id
 from app.wire.from_page import Perform
 from app.wire.to_page import ControlLook, PageState
+from app.words import say
 from sim.edit.edit import Selection
 from sim.edit.values import number, set_number
 from sim.settings import setting_of
@@ -197,7 +198,7 @@ def test_energy_and_predictability_are_told_while_they_are_wanted(switch: str, t
 def test_the_ghost_is_chosen_with_its_law_and_step_and_another_scene_has_none() -> None:
     page = WholePage()
     assert ("Ghost's law" in page.gui, "Ghost's step" in page.gui) == (False, False)
-    page.enter("Compare with", REFERENCE_LABEL)
+    page.enter("Compare with", say(REFERENCE_LABEL))
     assert page.session.ghost is not None
     assert page.session.ghost.method == REFERENCE
     assert ("Ghost's law" in page.gui, "Ghost's step" in page.gui) == (True, False)

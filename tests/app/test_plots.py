@@ -27,6 +27,7 @@ from app.session import commands
 from app.session.notices import Notice
 from app.session.plots import MAX_PLOTS, Plot, PlotSpec, curve, parse_plot
 from app.stage.colors import palette
+from app.words import say
 from sim.errors import InputError
 from tests.app.inside import first_plot, press, uuid_of
 from tests.app.pages import SessionPage
@@ -215,7 +216,7 @@ def test_plots_that_nobody_sees_run_on_and_are_not_sent(measure: MeasureTab) -> 
     assert np.isfinite(chart.data[1]).all(), "its line is strong although nothing moves"
     # Another number of lines is another chart.
     noted.made["Quantity"].value = "rate"
-    press(noted.made[""], ADD)
+    press(noted.made[""], say(ADD))
     measure.seen.serve()
     _, chart = noted.charts
     assert len(chart.data) == len(chart.series) == 5
@@ -524,7 +525,7 @@ def test_a_plot_of_a_lesson_says_nothing_where_nothing_swings() -> None:
     page = PlotPage("mass11.x")
     page.frames(3)
     assert "no regular swing" in plots.reading(page.plot, 10.0)
-    assert plots.reading(page.plot, 10.0, "").endswith("></div>")
+    assert plots.reading(page.plot, 10.0, None).endswith("></div>")
 
 
 def test_a_clicked_mass_and_its_springs_can_be_plotted_beside_the_joint() -> None:

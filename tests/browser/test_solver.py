@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.features.solver.panel import REFERENCE_LABEL
+from app.words import say
 from tests.browser.conftest import OpenPage
 
 
@@ -32,7 +33,7 @@ def test_what_the_solver_tab_tells_is_there_while_it_is_wanted(open_page: OpenPa
 def test_a_ghost_is_drawn_until_there_is_none(open_page: OpenPage) -> None:
     desk = open_page()
     desk.show("Solver")
-    desk.choose("Compare with", REFERENCE_LABEL)
+    desk.choose("Compare with", say(REFERENCE_LABEL))
     desk.page.get_by_text("largest distance").wait_for()
     springs = len(desk.session.scene.linear_springs)
     desk.until(lambda: len(desk.instances("/body/ghost")) == springs, "the page shows its springs")

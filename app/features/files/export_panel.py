@@ -19,21 +19,12 @@ from ...export.formats import FORMATS, Format, Options, Source
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press
+from ...words import say
 
 SECONDS = (1, 20)
 """Of motion that a page can have in a file."""
 
-ABOUT = (
-    '<div class="softrod-text"><b>Take it home.</b> A picture of the page, a film of the last seconds for '
-    "slides and messages, a replay that any browser shows without a network, a live file in which the body "
-    "can be dragged and tuned there, too, or a model of it for Blender and the like, still or animated. "
-    "Keyframes are a table of where its masses were, 60 times a second.</div>"
-)
-
-PROGRAMS = (
-    '<div class="softrod-text"><b>For programs.</b> The body as it is now: its numbers as JSON or as CSV '
-    "tables, or a program that moves it by the tutorial's step; the one in JavaScript is for games.</div>"
-)
+TEXT = '<div class="softrod-text">{}</div>'
 
 
 class ExportPanel:
@@ -48,32 +39,39 @@ class ExportPanel:
         self._busy = threading.Lock()
         gui = page.client.gui
         gui.add_divider()
-        gui.add_html(ABOUT)
+        gui.add_html(TEXT.format(say("files-home")))
         self._seconds = gui.add_slider(
-            "Seconds",
+            say("files-seconds"),
             *SECONDS,
             step=1,
             initial_value=5,
-            hint="simulated seconds of what moves in a file",
+            hint=say("files-seconds.hint"),
         )
-        page.button("Picture", viser.Icon.PHOTO, lambda: page.perform("picture"), hint="key I")
+        page.button(
+            say("files-picture"),
+            viser.Icon.PHOTO,
+            lambda: page.perform("picture"),
+            hint=say("files-picture.hint"),
+        )
         offered = [(each.button, each) for each in FORMATS if each.button is not None]
         for button, wanted in offered:
             if button.icon:
-                page.button(button.label, cast(viser.IconName, button.icon), partial(self._start, wanted))
-        gui.add_html(PROGRAMS)
-        programs = {button.label: wanted for button, wanted in offered if not button.icon}
-        choice = gui.add_button_group("Body as", tuple(programs))
+                page.button(
+                    say(button.label), cast(viser.IconName, button.icon), partial(self._start, wanted)
+                )
+        gui.add_html(TEXT.format(say("files-programs")))
+        programs = {say(button.label): wanted for button, wanted in offered if not button.icon}
+        choice = gui.add_button_group(say("files-body-as"), tuple(programs))
         on_press(choice, lambda: self._start(programs[choice.value]))
         for button, wanted in offered:
-            add_command(gui, button.command, partial(self._start, wanted))
+            add_command(gui, say(button.command), partial(self._start, wanted))
         page.commas.add(gui)
         self._progress = gui.add_progress_bar(0.0, visible=False)
 
     def _start(self, wanted: Format) -> None:
         """Have a file made, unless one is being made for this page."""
         if not self._busy.acquire(blocking=False):
-            self._tell("warning", "One at a time", "Another file of this page is still being made.")
+            self._tell("warning", say("files-one"), say("files-one.text"))
             return
         self._progress.value = 0.0
         self._progress.visible = True
@@ -97,14 +95,14 @@ class ExportPanel:
             options = Options(name, dark=page.looks.dark, decimal_comma=page.commas.on, report=report)
             made = wanted.make(source, options)
             if made.notes:
-                about = "About the file" if button.icon else "About the program"
+                about = say("files-about-file" if button.icon else "files-about-program")
                 self._tell("info", about, _sentence("; ".join(made.notes)))
             data = made.as_one(name)
             self._client.send_file_download(f"{name}.{button.saved_as}", data, save_immediately=True)
         except InputError as error:
-            self._tell("error", "That did not work", _sentence(str(error)))
+            self._tell("error", say("files-failed"), _sentence(str(error)))
         except Exception:
-            self._tell("error", "That did not work", "There was an error on the server.")
+            self._tell("error", say("files-failed"), say("files-failed.error"))
             raise
         finally:
             self._progress.visible = False
@@ -115,7 +113,7 @@ class ExportPanel:
         seconds = min(max(float(self._seconds.value), SECONDS[0]), SECONDS[1])
         moments = self._session.recent(seconds if wanted.of == "motion" else 0.0)
         if not moments:
-            raise InputError("there is no body yet")
+            raise InputError(say("files-no-body"))
         # A model is of the body alone, without a ghost.
         frames = [ClipFrame.of(moment, ghost if wanted.of == "motion" else None) for moment, ghost in moments]
         return Source(moments[-1][0], frames, seconds)

@@ -26,11 +26,9 @@ from ...ui.commands import text_of
 from ...ui.kept import keeping
 from ...ui.page import Page
 from ...ui.viser.handlers import on_press
+from ...words import say
 
-ABOUT_LOGS = (
-    '<div class="softrod-text">A log is all that was done since the start or the last reset; opened as a '
-    "file, it does the same again.</div>"
-)
+TEXT = '<div class="softrod-text">{}</div>'
 
 
 class FilesPanel:
@@ -45,24 +43,24 @@ class FilesPanel:
         self._session, self._notify = page.session, page.notify
         gui = page.client.gui
         self._offered = ""
-        self._name = gui.add_text("Name", initial_value="")
+        self._name = gui.add_text(say("files-name"), initial_value="")
         self.build()
         self._with_pose = gui.add_checkbox(
-            "With pose", initial_value=False, hint="save where every mass is now, too"
+            say("files-pose"), initial_value=False, hint=say("files-pose.hint")
         )
-        save = gui.add_button("Save", icon=viser.Icon.DEVICE_FLOPPY)
+        save = gui.add_button(say("files-save"), icon=viser.Icon.DEVICE_FLOPPY)
         on_press(save, lambda: self._try(self._save), blocks=True)
         gui.add_divider()
         for name, row in page.commands.items():
             if row.share is not None and row.needs in page.controls:
                 page.button(text_of(name, "share"), row.share, partial(page.perform, name))
         for label, icon, action in (
-            ("Download as a file", viser.Icon.DOWNLOAD, self._download),
-            ("Save a log", viser.Icon.HISTORY, self._save_log),
+            (say("files-download"), viser.Icon.DOWNLOAD, self._download),
+            (say("files-save-log"), viser.Icon.HISTORY, self._save_log),
         ):
             page.button(label, icon, partial(self._try, action), blocks=True)
-        gui.add_button("Open a file", icon=viser.Icon.UPLOAD, color="gray")  # the script acts on it
-        gui.add_html(ABOUT_LOGS)
+        gui.add_button(say("files-open"), icon=viser.Icon.UPLOAD, color="gray")  # the script acts on it
+        gui.add_html(TEXT.format(say("files-about-logs")))
 
     def build(self) -> None:
         """Offer the scene's name; what its user typed stays, until the scene has another one."""
@@ -76,13 +74,13 @@ class FilesPanel:
         try:
             action()
         except (SceneError, InputError) as error:
-            self._notify(Notice("error", "That did not work", str(error)))
+            self._notify(Notice("error", say("files-failed"), str(error)))
 
     def _save(self) -> None:
         name = files.safe_name(self._name.value)
         scene = self._session.snapshot(name, self._with_pose.value)
         if files.user_path(name, self._shelf.folder).exists():
-            self._confirm(f"Replace the saved scene {name!r}?", "Replace", lambda: self._write(scene, name))
+            self._confirm(say("files-replace", name=repr(name)), lambda: self._write(scene, name))
         else:
             self._write(scene, name)
 
@@ -90,7 +88,7 @@ class FilesPanel:
         name = self._shelf.save(scene, name)
         if self._session.replay is None:  # which an edit would end
             self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, name)))
-        self._notify(Notice("info", "Saved", f"The scene is saved as {name!r}."))
+        self._notify(Notice("info", say("files-saved"), say("files-saved.text", name=repr(name))))
 
     def _download(self) -> None:
         scene = self._session.snapshot(self._session.scene.name, self._with_pose.value)
@@ -101,11 +99,11 @@ class FilesPanel:
         name, data = self._session.scene.name, self._session.log_file()
         self._client.send_file_download(f"{name}-log.jsonl", data, save_immediately=True)
 
-    def _confirm(self, question: str, verb: str, action: Callable[[], None]) -> None:
-        with self._client.gui.add_modal("Are you sure?") as modal:
-            self._client.gui.add_html(f'<div class="softrod-text">{html.escape(question)}</div>')
-            yes = self._client.gui.add_button(verb, color="red")
-            no = self._client.gui.add_button("Cancel", color="gray")
+    def _confirm(self, question: str, action: Callable[[], None]) -> None:
+        with self._client.gui.add_modal(say("files-sure")) as modal:
+            self._client.gui.add_html(TEXT.format(html.escape(question)))
+            yes = self._client.gui.add_button(say("files-replace.yes"), color="red")
+            no = self._client.gui.add_button(say("files-replace.no"), color="gray")
 
         def confirmed() -> None:
             modal.close()
@@ -140,9 +138,9 @@ def open_file(page: Page, letters: str) -> None:
         else:
             session.post(commands.Open(files.decode_scene(data, name)))
     except (SceneError, InputError) as error:
-        notify(Notice("error", "That did not work", str(error)))
+        notify(Notice("error", say("files-failed"), str(error)))
     except ValueError as error:
-        notify(Notice("error", "That did not work", f"{name}: {error}"))
+        notify(Notice("error", say("files-failed"), f"{name}: {error}"))
 
 
 def _open_tables(page: Page, tables: tuple[Measurement, ...]) -> None:
@@ -157,7 +155,5 @@ def _open_tables(page: Page, tables: tuple[Measurement, ...]) -> None:
             page.take_tables(tables)
 
     if page.take_tables is None:
-        raise InputError(
-            f"{tables[0].name}: a table is fitted in the Measure tab, which this page does not have"
-        )
+        raise InputError(say("files-no-measure", table=tables[0].name))
     page.later(take)

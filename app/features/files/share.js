@@ -2,6 +2,7 @@
 /** The dialog with an address of the scene, and its QR code. */
 import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton, makeDialog } from "../../ui/dialog.js";
+import { say, language } from "../../words/words.js";
 
 /** Characters from which on a link may be cut: by some e-mail programs, and by messengers. */
 const LONG = 2000;
@@ -9,28 +10,25 @@ const TOO_LONG = 8000;
 
 /** What can be shared, and what it is good for. */
 const KINDS = {
-  short: ["A short address", "To type or to photograph: for a class. This server stores the scene, and has to run when it is opened."],
-  long: ["A link that holds the scene", "To send and to keep: any softrod opens it, even next year. Nothing is stored on the server."],
+  short: [say("share-short"), say("share-short.about")],
+  long: [say("share-long"), say("share-long.about")],
 };
 /** Which controls there are for whoever opens it. */
 const CONTROLS = {
-  all: "All controls",
-  play: "For a phone: play and drag only",
-  sliders: "For a phone: with the scene's two main sliders",
+  all: say("share-controls.all"),
+  play: say("share-controls.play"),
+  sliders: say("share-controls.sliders"),
 };
 
 /** What is to be known of a link. @param {string} link @returns {string} */
 export function caution(link) {
-  const size = `The link has ${link.length.toLocaleString("en")} characters`;
-  if (link.length > TOO_LONG) return `${size}: many messengers cut links longer than 8,000. Send the scene as a file instead (Share, Download as a file).`;
-  if (link.length > LONG) return `${size}: some e-mail programs cut links longer than 2,000.`;
-  return "";
+  const count = link.length.toLocaleString(language);
+  if (link.length > TOO_LONG) return say("share-long-mail.file", { count });
+  return link.length > LONG ? say("share-long-mail", { count }) : "";
 }
 
 /** Whether an address is that of the visitor's own machine. @param {string} host */
 export const isOwnMachine = (host) => /^(localhost|127\..*|\[::1\])$/.test(host);
-const OWN_MACHINE =
-  "This address is of this machine alone. For others to open it, start softrod with --host 0.0.0.0, or with --public-url behind a proxy.";
 
 /** Copies what stands in a field. @param {HTMLTextAreaElement} field @returns {Promise<boolean>} whether it could */
 export async function copied(field) {
@@ -51,7 +49,7 @@ export async function copied(field) {
  */
 function kindChoice(changed) {
   const element = make("fieldset", "softrod-kinds");
-  element.append(make("legend", "softrod-tell", "What to share"));
+  element.append(make("legend", "softrod-tell", say("share-what")));
   for (const [value, [title, about]] of Object.entries(KINDS)) {
     const label = make("label", "softrod-check");
     const radio = make("input", "");
@@ -67,7 +65,7 @@ function kindChoice(changed) {
 
 /** Makes the dialog; what is returned opens it. */
 export function makeShareDialog() {
-  const { dialog, body } = makeDialog("Share this scene", "softrod-share");
+  const { dialog, body } = makeDialog(say("share-title"), "softrod-share");
   const renew = () => {
     said.textContent = "";
     const page = new URL(".", location.href).href;
@@ -77,24 +75,26 @@ export function makeShareDialog() {
   const label = make("label", "softrod-check");
   const withPose = make("input", "");
   withPose.type = "checkbox";
-  label.append(withPose, "With the present pose");
+  label.append(withPose, say("share-pose"));
   const controls = make("select", "");
-  controls.ariaLabel = "Controls for whoever opens it";
+  controls.ariaLabel = say("share-controls");
   for (const [value, text] of Object.entries(CONTROLS)) controls.add(new Option(text, value));
   const field = make("textarea", "");
   field.readOnly = true;
-  field.ariaLabel = "Link to this scene";
+  field.ariaLabel = say("share-link");
   field.spellcheck = false;
   const said = make("span", "softrod-said");
   said.setAttribute("role", "status");
-  const copy = makeButton("Copy link", async () => (said.textContent = (await copied(field)) ? "Copied." : "Press Ctrl C to copy it."));
+  const copy = makeButton(say("share-copy"), async () => {
+    said.textContent = say((await copied(field)) ? "share-copy.copied" : "share-copy.keys");
+  });
   copy.classList.add("softrod-first");
   const line = make("div", "softrod-dialog-line");
   line.append(copy, said);
   const warning = make("p", "softrod-caution");
   const local = make("p", "softrod-caution");
   const code = make("img", "softrod-qr");
-  code.alt = "QR code of the link";
+  code.alt = say("share-link.code");
   body.append(kind.element, label, controls, field, line, warning, local, code);
 
   withPose.addEventListener("change", renew);
@@ -106,7 +106,7 @@ export function makeShareDialog() {
     field.classList.toggle("softrod-short", kind.isShort());
     copy.disabled = !link;
     warning.textContent = problem || caution(link);
-    local.textContent = link && isOwnMachine(new URL(link).hostname) ? OWN_MACHINE : "";
+    local.textContent = link && isOwnMachine(new URL(link).hostname) ? say("share-own-machine") : "";
     if (qr) code.src = qr;
     code.hidden = !qr;
   });

@@ -18,6 +18,7 @@ from ...linking import short_address
 from ...session.notices import Notice
 from ...ui.board import main_settings
 from ...ui.page import Page
+from ...words import say
 from .messages import Link, Share
 
 MAX_IN_QR = 1200
@@ -61,7 +62,7 @@ class Sharing:
         try:
             scene = files.decode_link(data)
         except SceneError as error:
-            self._notify(Notice("error", "That link cannot be opened", str(error)))
+            self._notify(Notice("error", say("files-not-opened"), str(error)))
         else:
             self._show(scene)
 

@@ -27,14 +27,14 @@ from ...session import commands
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
+from ...words import say
+from ...words.keys import Key
+from ...words.settings import label_of
 from ..measure.messages import ShowMeasures
 from .messages import Fan, Measured
 from .places import places_of
 
-ABOUT = (
-    '<div class="softrod-text">A table that is dropped on the page is drawn over the body, and the scene can '
-    'be fitted to it. <a href="video" target="_blank" rel="noopener">Measure in a video</a> makes one.</div>'
-)
+LINK = '<a href="video" target="_blank" rel="noopener">{}</a>'
 """The address is relative: a proxy may serve the page under a prefix."""
 FIRST = -10.0
 """Order of the first control: before all others of the tab, which was opened for it."""
@@ -92,7 +92,8 @@ class FitPanel:
         self._busy = threading.Lock()
         self._scene: sim.Scene | None = None
         with tab:
-            page.client.gui.add_html(ABOUT, order=LAST)
+            link = LINK.format(say("fit-about.link"))
+            page.client.gui.add_html(_text(say("fit-about", link=link)), order=LAST)
 
     # --------------------------------------------------------------------- the ticker's
     def take(self, tables: tuple[Measurement, ...], chosen: int = 0) -> None:
@@ -105,34 +106,32 @@ class FitPanel:
         with self._tab:
             if len(tables) > 1:
                 self._which = self._choice(tables, chosen)
-            about = (
-                f"<b>{html.escape(table.name)}</b>: {table.time.size} rows. Which quantity is each column?"
-                + "".join(f"<p>{html.escape(remark)}</p>" for remark in table.remarks)
-            )
+            about = say("fit-table", name=html.escape(table.name), count=table.time.size)
+            about += "".join(f"<p>{html.escape(remark)}</p>" for remark in table.remarks)
             self._about = gui.add_html(_text(about), order=FIRST)
             texts = guesses(table, self._scene)
             for i, column in enumerate(table.columns[:MAX_COLUMNS]):
                 self._columns[column.name] = gui.add_text(
                     _short(column.label),
                     initial_value=texts[column.name],
-                    hint="as mass1.x, -mass1.y, 90 - spring0.direction or a formula; empty to leave it out",
+                    hint=say("fit-column"),
                     order=FIRST + 1 + 0.1 * i,
                 )
             self._scale = gui.add_text(
-                f"{self._scene.view.unit} to a metre",
+                say("fit-scale", unit=self._scene.view.unit),
                 initial_value="",
-                hint="how large one metre of the table is in the scene",
+                hint=say("fit-scale.hint"),
                 order=FIRST + 2,
             )
             usual = _OF_JOINTS if self._scene.angular_springs else _OF_SPRINGS
-            self._sought = gui.add_html(_text("What is sought?"), order=FIRST + 3)
+            self._sought = gui.add_html(_text(say("fit-sought")), order=FIRST + 3)
             for i, (name, label) in enumerate(self._offered().items()):
                 self._switches[name] = gui.add_checkbox(
                     label, initial_value=name in usual, order=FIRST + 4 + 0.01 * i
                 )
-            self._fit = gui.add_button("Fit", icon=viser.Icon.CHART_DOTS, order=FIRST + 5)
+            self._fit = gui.add_button(say("fit-fit"), icon=viser.Icon.CHART_DOTS, order=FIRST + 5)
             self._forget = self._page.button(
-                "Forget the table", viser.Icon.X, lambda: self._page.later(self.forget), order=FIRST + 6
+                say("fit-forget"), viser.Icon.X, lambda: self._page.later(self.forget), order=FIRST + 6
             )
             self._result = gui.add_html("", order=FIRST + 7)
         for control in (*self._columns.values(), self._scale, self._switches["start"]):
@@ -143,7 +142,9 @@ class FitPanel:
     def _choice(self, tables: tuple[Measurement, ...], chosen: int) -> viser.GuiDropdownHandle[str]:
         """Which run of several in one file is fitted."""
         names = tuple(table.name.rpartition(", ")[2] for table in tables)
-        run = self._page.client.gui.add_dropdown("Run", names, initial_value=names[chosen], order=FIRST - 1)
+        run = self._page.client.gui.add_dropdown(
+            say("fit-run"), names, initial_value=names[chosen], order=FIRST - 1
+        )
         on_change(run, lambda: self._page.later(lambda: self.take(tables, names.index(run.value))))
         return run
 
@@ -180,11 +181,11 @@ class FitPanel:
     def _offered(self) -> dict[str, str]:
         """Return what can be fitted, with labels: settings but integers, and properties of the table."""
         settings = {
-            setting.key: setting.label
+            setting.key: label_of(setting)
             for setting in settings_of(self._session.scene)
             if not setting.integer and setting.key not in _NOT_SOUGHT
         }
-        return {**settings, **_OF_TABLE}
+        return {**settings, **{name: say(key) for name, key in _OF_TABLE.items()}}
 
     def _match(self) -> tuple[Match, ...]:
         """Return the quantities of the columns as the controls have them.
@@ -194,7 +195,7 @@ class FitPanel:
         """
         table, scene = self._table, self._session.scene
         if table is None:
-            raise InputError("there is no table")
+            raise InputError(say("fit-no-table"))
         return matched(table, scene, {name: box.value[:MAX_LENGTH] for name, box in self._columns.items()})
 
     def _given_scale(self) -> float | None:
@@ -248,7 +249,7 @@ class FitPanel:
         texts = {each.column.name: each.text for each in matches}
         scale = self._given_scale() if self._needs_scale(matches) else None
         self._fit.disabled = True
-        self._result.content = _text("The fit begins ...")
+        self._result.content = _text(say("fit-begins"))
         self._page.mail.send(Fan(numbers=NONE))
         scene = self._session.simulation.capture().scene
         _worker.submit(partial(self._run, table, scene, vary, texts, scale))
@@ -256,18 +257,15 @@ class FitPanel:
     def _refuse(self, matches: tuple[Match, ...], vary: list[str]) -> None:
         scene, numbers = self._session.scene, sum(each.column.values.size for each in matches)
         if len(scene.masses) > MAX_MASSES:
-            raise InputError(f"a page fits at most {MAX_MASSES} masses; softrod fit takes more")
+            raise InputError(say("fit-many-masses", count=MAX_MASSES))
         if numbers > MAX_NUMBERS:
-            raise InputError(f"a page fits at most {MAX_NUMBERS} numbers; softrod fit takes more")
+            raise InputError(say("fit-many-numbers", count=str(MAX_NUMBERS)))
         if self._needs_scale(matches) and self._given_scale() is None:
-            unit = scene.view.unit
-            raise InputError(
-                f"write how many {unit} of the scene are one metre, 0.000001..1e9, or seek the length scale"
-            )
+            raise InputError(say("fit-no-scale", unit=scene.view.unit))
         if not 1 <= len(vary) <= MAX_VARIED:
-            raise InputError(f"choose from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
+            raise InputError(say("fit-choose", most=MAX_VARIED, count=len(vary)))
         if not is_ready(needed_by(scene.integrator.method, self._session.simulation.tables[0].body)):
-            raise InputError("the solver is still being compiled; try again in a moment")
+            raise InputError(say("fit-compiling"))
 
     def _run(
         self,
@@ -282,7 +280,7 @@ class FitPanel:
         def progress(what: str) -> None:
             if self._table is not table:
                 raise _Stopped
-            self._page.later(partial(self._tell, table, f"Fitting: {what} ..."))
+            self._page.later(partial(self._tell, table, say("fit-goes-on", what=what)))
             yield_gil.pause()
 
         try:
@@ -295,7 +293,7 @@ class FitPanel:
         except _Stopped:
             pass
         except Exception:
-            self._page.later(partial(self._tell, table, "There was an error on the server."))
+            self._page.later(partial(self._tell, table, say("fit-error")))
             raise
         finally:
             self._busy.release()
@@ -312,14 +310,14 @@ class FitPanel:
     def _say(self, error: Exception) -> None:
         text = str(error).removeprefix("fit: ")
         if self._table is not None:
-            self._result.content = _text(f"<b>It cannot be fitted</b>: {html.escape(text)}.")
+            self._result.content = _text(say("fit-cannot", why=html.escape(text)))
 
     def _take_found(self, table: Measurement, scene: sim.Scene, found: Fit, seen: Fan) -> None:
         """Show the result, and apply it to the scene as one step of undo."""
         if self._table is not table:
             return
         if self._session.simulation.capture().scene is not scene:
-            self._say(InputError("the scene was changed meanwhile; fit it again"))
+            self._say(InputError(say("fit-changed")))
             return
         self._found = found
         self._result.content = _found_html(found)
@@ -329,11 +327,7 @@ class FitPanel:
         self._show_points()
 
 
-_OF_TABLE = {
-    "start": "Start (places, velocities)",
-    "origin": "Origin of the table",
-    "length_scale": "Length scale",
-}
+_OF_TABLE: dict[str, Key] = {"start": "fit-start", "origin": "fit-origin", "length_scale": "fit-length-scale"}
 _OF_SPRINGS = ("linear_stiffness", "linear_damping")
 _OF_JOINTS = ("angular_stiffness", "angular_damping")
 """What is fitted by default; of a body with joints, their bending is what one sees."""
@@ -378,7 +372,8 @@ def _found_html(found: Fit) -> str:
     """Return the numbers with their intervals, the residuals, and what the data cannot determine, as HTML."""
     rows = {html.escape(each.name): html.escape(each.text) for each in found.values.values()}
     left = [
-        f"{each.column}: what is left is {each.noise:.3g} {each.unit}".rstrip() + "." for each in found.series
+        say("fit-left", column=each.column, noise=f"{each.noise:.3g} {each.unit}".rstrip())
+        for each in found.series
     ]
     said = "".join(f"<p>{html.escape(line)}</p>" for line in (*left, *found.sentences))
     return readouts.table(rows) + _text(said)

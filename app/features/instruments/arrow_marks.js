@@ -6,6 +6,7 @@ import { onMessage, pageState } from "../../wire/channel.js";
 import { unpack } from "../../wire/unpack.js";
 import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
 import { makeSvg, set } from "../../stage/svg.js";
+import { say } from "../../words/words.js";
 
 /** Length of the longest arrow, as a fraction of the canvas's shorter side. */
 const LENGTH = 0.17;
@@ -23,8 +24,8 @@ const REDRAW_AFTER = 400;
  * @typedef {"forces" | "velocities" | "torques"} Kind
  * @typedef {import("../../stage/sight.js").Sight} Sight
  */
-/** @type {Record<Kind, string>} */
-const NAMES = { forces: "force", velocities: "speed", torques: "torque" };
+/** @satisfies {Record<Kind, keyof import("../../words/keys.js").Words>} */
+const NAMES = /** @type {const} */ ({ forces: "instruments-force", velocities: "instruments-speed", torques: "instruments-torque" });
 const KINDS = /** @type {Kind[]} */ (Object.keys(NAMES));
 
 /** The unit of a kind of arrow; with metres, forces and torques have named units. @param {Kind} kind @param {string} unit of length */
@@ -69,7 +70,7 @@ class ArrowMarks {
     if (kind === "torques") this.drawTorques(seen, numbers, unit, end, y, 0.62 * height);
     else this.drawVectors(kind, seen, numbers, unit, end, y);
     set(this.rim, { d: (this.body.getAttribute("d") ?? "") + (this.held.getAttribute("d") ?? "") });
-    const text = `${NAMES[kind]} ${roundText(unit)} ${unitOf(kind, pageState().unit ?? "")}`;
+    const text = say(NAMES[kind], { value: `${roundText(unit)} ${unitOf(kind, pageState().unit ?? "")}` });
     if (this.words.textContent !== text) this.words.textContent = text;
     return true;
   }

@@ -4,6 +4,7 @@ import { NAMES } from "./faces.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
 import { floorOf } from "../../stage/dock.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("./shapes.js").Kind} Kind */
 
@@ -32,10 +33,10 @@ export class Box {
     this.content.id = "softrod-box-tools";
     this.content.setAttribute("role", "group");
     this.lid = makeButton("", () => this.open(this.content.hidden === true), "softrod-box-lid softrod-floats");
-    this.lid.innerHTML = labelled(BOX_ICON, "Instruments");
-    this.lid.title = "Instruments: ruler, protractor, stopwatch, light gate";
+    this.lid.innerHTML = labelled(BOX_ICON, say("instruments-box"));
+    this.lid.title = say("instruments-box.hint");
     this.lid.setAttribute("aria-controls", this.content.id);
-    this.content.ariaLabel = this.lid.ariaLabel = "Instruments";
+    this.content.ariaLabel = this.lid.ariaLabel = say("instruments-box");
     this.element.append(this.content, this.lid);
     this.element.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || this.content.hidden) return;
@@ -63,8 +64,8 @@ export class Box {
       if (!button.matches(":focus-visible")) button.blur();
     }, "");
     button.ariaPressed = "false";
-    button.title = "Drag it onto the canvas, and back into the box";
-    button.innerHTML = labelled(ICONS[kind], NAMES[kind]);
+    button.title = say("instruments-box.drag");
+    button.innerHTML = labelled(ICONS[kind], say(NAMES[kind]));
     button.addEventListener("pointerdown", (event) => {
       [start, dragged] = [event.button === 0 ? event : null, false];
       button.setPointerCapture(event.pointerId);

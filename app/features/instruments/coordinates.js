@@ -9,6 +9,7 @@ import { digits } from "./shapes.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { onTools, tools } from "./tools.js";
 import { viserCanvas } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 /** Simulated seconds between two pictures beyond which they give no speed. */
 const MAX_INTERVAL = 0.1;
@@ -56,7 +57,7 @@ export function addCoordinates() {
     const unit = pageState().unit ?? "";
     const speed = speedOf(before, frame, mass);
     const [px, py] = frame.positions.subarray(2 * mass, 2 * mass + 2);
-    lines[0].textContent = `mass ${mass}: ${digits(px)}, ${digits(py)} ${unit}`;
+    lines[0].textContent = say("instruments-at", { mass, x: digits(px), y: digits(py), unit });
     lines[1].textContent = Number.isFinite(speed) ? `${digits(speed)} ${unit}/s` : "";
     set(ring, { cx: x, cy: y, r: radius + 5 });
     const width = Math.max(...lines.map((line) => line.getComputedTextLength()));

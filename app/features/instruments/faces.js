@@ -13,6 +13,7 @@ import { pageState } from "../../wire/channel.js";
 import { digits, protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
+import { say } from "../../words/words.js";
 
 /** Pixels between a point and its grip. */
 const AWAY = 24;
@@ -31,8 +32,18 @@ const MAX_ARC = 64;
 /** Degrees below which the reading does not fit between the sides of a protractor. */
 const NARROW = 50;
 
-/** @type {Record<Kind, string>} */
-export const NAMES = { ruler: "Ruler", protractor: "Protractor", stopwatch: "Stopwatch", gate: "Light gate" };
+/** What they are called. @satisfies {Record<Kind, keyof import("../../words/keys.js").Words>} */
+export const NAMES = /** @type {const} */ ({
+  ruler: "instruments-ruler",
+  protractor: "instruments-protractor",
+  stopwatch: "instruments-stopwatch",
+  gate: "instruments-gate",
+});
+/** The buttons of a stopwatch, while it stands and while it runs. */
+const BUTTONS = /** @type {const} */ ({
+  stands: ["instruments-start", "instruments-zero"],
+  runs: ["instruments-stop", "instruments-lap"],
+});
 
 /** @param {Element} parent @param {string} names */
 function makeHandle(parent, names) {
@@ -99,8 +110,8 @@ class LineFace extends BaseFace {
     this.grips.forEach((grip, i) => {
       put(grip, at[i]);
       const { mass } = points[i];
-      const where = mass < 0 ? "Arrows move it, Enter fixes it to a mass" : `At mass ${mass}. Arrows choose another, Enter frees it`;
-      grip.ariaLabel = `${NAMES[kind]}, ${this.points[i]}. ${where}`;
+      const named = { instrument: say(NAMES[kind]), point: this.points[i] };
+      grip.ariaLabel = mass < 0 ? say("instruments-point", named) : say("instruments-point.fixed", { ...named, mass });
     });
   }
 
@@ -118,7 +129,7 @@ class LineFace extends BaseFace {
 class Ruler extends LineFace {
   /** @param {Element} parent */
   constructor(parent) {
-    super(parent, ["first end", "second end"], "");
+    super(parent, [say("instruments-first-end"), say("instruments-second-end")], "");
   }
 
   /** @param {Placed} placed @param {Sight} seen @param {Place[]} places @param {number} size */
@@ -141,7 +152,7 @@ class Ruler extends LineFace {
 class Protractor extends LineFace {
   /** @param {Element} parent */
   constructor(parent) {
-    super(parent, ["first side", "corner", "second side"], "softrod-instrument-small");
+    super(parent, [say("instruments-first-side"), say("instruments-corner"), say("instruments-second-side")], "softrod-instrument-small");
   }
 
   /** @param {Placed} placed @param {Sight} _ @param {Place[]} places @param {number} size */
@@ -168,7 +179,7 @@ class Protractor extends LineFace {
     }
     set(this.marks, { d: marks });
     this.putGrips(placed, ends);
-    const lines = [`${angle.toFixed(1)}°`, `bend ${bend.toFixed(1)}°`];
+    const lines = [`${angle.toFixed(1)}°`, say("instruments-bend", { angle: `${bend.toFixed(1)}°` })];
     // Between the sides, or behind the corner where there is no room.
     const [outwards, far] = angle < NARROW ? [way(angle / 2 + 180), AWAY + 2 * GRIP] : [way(angle / 2), radius + size];
     this.writeLines(lines, beyond(vertex, outwards, far), outwards, size);
@@ -201,15 +212,15 @@ class Stopwatch extends BaseFace {
     write(this.time, seconds);
     set(this.laps, { x: width / 2, y: 3.2 * size });
     write(this.laps, watch.laps.slice(-3).map((lap) => lap.toFixed(2)).join("  "));
-    const words = watch.since === null ? ["Start", "Zero"] : ["Stop", "Lap"];
+    const words = BUTTONS[watch.since === null ? "stands" : "runs"].map((key) => say(key));
     words.forEach((word, i) => {
       const [left, wide] = [(0.6 + 5 * i) * size, 4.8 * size];
       set(this.rims[i], { x: left, y: 4.1 * size, width: wide, height: 2 * size, rx: 0.5 * size });
       set(this.words[i], { x: left + wide / 2, y: 5.1 * size });
       write(this.words[i], word);
-      this.buttons[i].ariaLabel = `${word} (${"TL"[i]})`;
+      this.buttons[i].ariaLabel = say("instruments-key", { button: word, key: "TL"[i] });
     });
-    this.grips[0].ariaLabel = `Stopwatch, ${seconds}. Arrows move it`;
+    this.grips[0].ariaLabel = say("instruments-watch", { time: seconds });
     return seconds;
   }
 }
@@ -217,7 +228,7 @@ class Stopwatch extends BaseFace {
 class LightGate extends LineFace {
   /** @param {Element} parent */
   constructor(parent) {
-    super(parent, ["first end", "second end"], "softrod-instrument-small");
+    super(parent, [say("instruments-first-end"), say("instruments-second-end")], "softrod-instrument-small");
     this.words.push(...Array.from({ length: CROSSINGS - 2 }, () => makeSvg("text", "softrod-instrument-small", this.group)));
   }
 
@@ -239,9 +250,9 @@ class LightGate extends LineFace {
     const several = new Set(crossed.map(({ mass }) => mass)).size > 1;
     const told = crossed.map(({ mass, time, since }) => {
       const interval = since === null ? "" : `  Δt ${since.toFixed(3)} s`;
-      return `${time.toFixed(3)} s${interval}${several ? `  mass ${mass}` : ""}`;
+      return `${time.toFixed(3)} s${interval}${several ? `  ${say("instruments-crossed", { mass })}` : ""}`;
     });
-    const lines = told.length ? told : ["nothing yet"];
+    const lines = told.length ? told : [say("instruments-nothing")];
     this.writeLines([...lines, ...Array(CROSSINGS - lines.length).fill("")], beyond(middle, normal, size), normal, size);
     return lines[0].replaceAll("  ", ", ");
   }

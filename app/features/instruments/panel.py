@@ -9,6 +9,8 @@ import viser
 
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
+from ...words import say
+from ...words.keys import Key
 from .arrows import KINDS, Arrows
 from .messages import Tools
 
@@ -18,17 +20,18 @@ MAX_TRACES = 8
 TRACE_SECONDS = {"1 s": 1, "2 s": 2, "5 s": 5, "10 s": 10, "30 s": 30}
 """Lengths of a trace, simulated s, by their labels."""
 
-STROBE_INTERVALS = {"off": 0.0, **{f"every {each:g} s": each for each in (0.05, 0.1, 0.2, 0.5, 1.0)}}
-"""Intervals of the stroboscope, simulated s, by their labels."""
+STROBE_INTERVALS = (0.05, 0.1, 0.2, 0.5, 1.0)
+"""Intervals of the stroboscope, simulated s."""
 
 ORDER = 1e6
 """Order of the first control in the panel: below the plots, which come and go."""
 
-HINTS = {
-    "forces": "the net force on each mass; on a held one, dashed, the load on its support",
-    "velocities": "the velocity of each mass",
-    "torques": "the torque by which each angular spring turns its first spring",
+SWITCHES: dict[str, tuple[Key, Key]] = {
+    "forces": ("instruments-forces", "instruments-forces.hint"),
+    "velocities": ("instruments-velocities", "instruments-velocities.hint"),
+    "torques": ("instruments-torques", "instruments-torques.hint"),
 }
+"""Names of the switches of arrows, and what these show."""
 
 
 class ToolsPanel:
@@ -45,24 +48,29 @@ class ToolsPanel:
         self._traced: tuple[int, ...] = ()
         gui = page.client.gui
 
-        def switch(label: str, hint: str, order: float) -> viser.GuiCheckboxHandle:
-            return gui.add_checkbox(label, initial_value=False, hint=hint, order=ORDER + order)
+        def switch(label: Key, hint: Key, order: float) -> viser.GuiCheckboxHandle:
+            return gui.add_checkbox(say(label), initial_value=False, hint=say(hint), order=ORDER + order)
 
-        self._switches = {
-            kind: switch(kind.capitalize(), HINTS[kind], i / 10.0) for i, kind in enumerate(KINDS)
+        self._intervals = {
+            say("instruments-strobe.off"): 0.0,
+            **{say("instruments-strobe.every", seconds=f"{each:g}"): each for each in STROBE_INTERVALS},
         }
-        self._coordinates = switch("Coordinates", "of the mass under the pointer, or clicked last", 1)
-        self._trace = switch("Trace the chosen mass", "click a mass to choose it; several can have one", 2)
+        self._switches = {kind: switch(*SWITCHES[kind], i / 10.0) for i, kind in enumerate(KINDS)}
+        self._coordinates = switch("instruments-coordinates", "instruments-coordinates.hint", 1)
+        self._trace = switch("instruments-trace", "instruments-trace.hint", 2)
         self._length = gui.add_dropdown(
-            "Length of a trace", tuple(TRACE_SECONDS), initial_value="5 s", order=ORDER + 3
+            say("instruments-trace.length"), tuple(TRACE_SECONDS), initial_value="5 s", order=ORDER + 3
         )
         page.button(
-            "Clear the traces", viser.Icon.ERASER, lambda: page.later(self.clear_traces), order=ORDER + 4
+            say("instruments-trace.clear"),
+            viser.Icon.ERASER,
+            lambda: page.later(self.clear_traces),
+            order=ORDER + 4,
         )
         self._strobe = gui.add_dropdown(
-            "Stroboscope",
-            tuple(STROBE_INTERVALS),
-            hint="leaves images of the body at equal intervals of simulated time",
+            say("instruments-strobe"),
+            tuple(self._intervals),
+            hint=say("instruments-strobe.hint"),
             order=ORDER + 5,
         )
         on_change(self._trace, lambda: page.later(partial(self.trace, self._trace.value)))
@@ -78,7 +86,7 @@ class ToolsPanel:
     def clear(self) -> None:
         """Turn off arrows and stroboscope."""
         self.show_arrows(frozenset())
-        self._strobe.value = next(iter(STROBE_INTERVALS))
+        self._strobe.value = next(iter(self._intervals))
 
     def build(self) -> None:
         """Adapt to another body: trace no mass."""
@@ -128,6 +136,6 @@ class ToolsPanel:
             seconds=TRACE_SECONDS.get(str(self._length.value), 5),
             chosen=-1 if self._chosen is None else self._chosen,
             coordinates=bool(self._coordinates.value),
-            strobe=STROBE_INTERVALS.get(str(self._strobe.value), 0.0),
+            strobe=self._intervals.get(str(self._strobe.value), 0.0),
         )
         self._mail.send(tools)

@@ -24,6 +24,7 @@ import { makeSvg } from "../../stage/svg.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { timeNow } from "../../ui/clock.js";
 import { viserCanvas } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 const STORED = "softrod-instruments";
 /** Pixels by which an arrow key moves a point. */
@@ -124,7 +125,7 @@ class Instruments {
     clearTimeout(this.announcing);
     this.announcing = setTimeout(() => {
       const { face } = this.placed.get(kind) ?? {};
-      this.live.textContent = face ? (face.group.ariaLabel ?? "") : `${NAMES[kind]} back in the box`;
+      this.live.textContent = face ? (face.group.ariaLabel ?? "") : say("instruments-away", { instrument: say(NAMES[kind]) });
     }, ANNOUNCE_AFTER);
   }
 
@@ -134,7 +135,7 @@ class Instruments {
     const size = parseFloat(getComputedStyle(this.svg).fontSize);
     const { face, kind, points } = instrument;
     const reading = face.draw(instrument, this.seen, shapes.placesOf(points, this.seen.places, this.seen.on), size);
-    const label = `${NAMES[kind]}: ${reading}`;
+    const label = say("instruments-reads", { instrument: say(NAMES[kind]), reading });
     if (face.group.ariaLabel !== label) face.group.ariaLabel = label;
   }
 

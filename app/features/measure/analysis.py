@@ -16,6 +16,8 @@ from sim.errors import InputError
 
 from ...session.plots import Plot, Span
 from ...ui import readouts
+from ...words import find, say
+from ...words.keys import Key
 
 Floats = NDArray[np.float64]
 
@@ -25,6 +27,12 @@ OVER_TIME = (NONE, SPECTRUM, *CURVES)
 
 OVER_ANOTHER = (NONE, *(name for name in CURVES if "sine" not in name))
 """What a plot over another quantity can be."""
+
+
+def label_of(kind: str) -> str:
+    """What a kind of analysis is called."""
+    return find(f"measure-analysis-{kind.replace(' ', '-')}", kind)
+
 
 PEAKS = 5
 """Peaks of a spectrum that are labelled, at most."""
@@ -38,7 +46,7 @@ _SEEN = 0.02
 _ROUNDED = 2e-4
 """Part of a range by which places along it may be rounded."""
 
-_NO_SPECTRUM = "no spectrum: nothing has changed in the frames in view, or they are too few"
+_NO_SPECTRUM: Key = "measure-spectrum-none"
 
 
 class Fit(NamedTuple):
@@ -90,13 +98,13 @@ def fits_text(plot: Plot, fits: Sequence[Fit]) -> str:
         scatter = f"{readouts.grouped(fit.curve.deviation)} {quantity.unit}".strip()
         origin = f"{fit.curve.origin:.6g} {over}".strip()
         lines += [
-            f"{html.escape(quantity.name)} from {html.escape(origin)}:",
+            say("measure-fit-from", quantity=html.escape(quantity.name), place=html.escape(origin)),
             *(_said(number, quantity.unit, over) for number in fit.curve.numbers),
-            f"rms deviation {html.escape(scatter)}",
+            say("measure-fit-deviation", deviation=html.escape(scatter)),
         ]
         in_view = fit.ends[1] - fit.ends[0]
         if any(number.name == "period" and number.value > in_view for number in fit.curve.numbers):
-            lines.append("less than a period is in view: its errors are larger than those told")
+            lines.append(say("measure-fit-short"))
     return _text(lines)
 
 
@@ -135,7 +143,7 @@ def draw_spectra(plot: Plot, span: Span, points: int = POINTS) -> DrawnSpectrum:
     spectra, duration = spectra_of(plot, span)
     some = [each for each in spectra if each is not None]
     if not some:
-        return DrawnSpectrum(np.zeros(0), np.zeros((len(spectra), 0)), (), _text([_NO_SPECTRUM]))
+        return DrawnSpectrum(np.zeros(0), np.zeros((len(spectra), 0)), (), _text([say(_NO_SPECTRUM)]))
     frequencies = some[0].frequencies
     top = max(float(frequencies[each.amplitudes >= _SEEN * each.amplitudes.max()][-1]) for each in some)
     count = max(int(np.searchsorted(frequencies, _round_up(1.1 * top), side="right")), 2)
@@ -156,9 +164,9 @@ def draw_spectra(plot: Plot, span: Span, points: int = POINTS) -> DrawnSpectrum:
         said = (
             f"<b>{peak.frequency:.4g} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})" for peak in found
         )
-        none = _NO_SPECTRUM if each is None else "no peak of two cycles or more in view"
+        none = say(_NO_SPECTRUM if each is None else "measure-spectrum-no-peak")
         lines.append(f"{html.escape(quantity.name)}: {', '.join(said) or none}")
-    lines.append(f"of the last {duration:.3g} s in view that have every frame")
+    lines.append(say("measure-spectrum-of", seconds=f"{duration:.3g}"))
     return DrawnSpectrum(frequencies[starts], amplitudes, tuple(marked), _text(lines))
 
 
@@ -176,7 +184,8 @@ def _said(number: Number, unit: str, over: str) -> str:
     """A number with its standard error and its unit, as HTML."""
     power, along = number.unit
     unit = html.escape(_unit(unit if power else "", over, along)) if power or along else "°"
-    return f"{number.name} <b>{with_error(number.value, number.error)} {unit}".strip() + "</b>"
+    name = find(f"measure-number-{number.name.replace(' ', '-')}", number.name)
+    return f"{name} <b>{with_error(number.value, number.error)} {unit}".strip() + "</b>"
 
 
 def _unit(unit: str, over: str, along: int) -> str:

@@ -18,6 +18,8 @@ from ...session.plots import OFFERED, PlotSpec, find
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
+from ...words import say
+from ...words.quantities import part_called, quantity_of
 from .messages import ShowMeasures
 from .plot_list import PlotList
 
@@ -27,16 +29,10 @@ BELOW, LAST = 1e5, 1e6
 MAX_PARTS = 24
 """Joints, and springs, of the chosen mass in the list, at most."""
 
-FIRST_PART: tuple[str, ...] = ("mass0",)
-TIME: tuple[str, ...] = ("time",)
+FIRST_PART = "mass0"
 
 TEXT = '<div class="softrod-text">{}</div>'
-ABOUT = TEXT.format("Click a mass to choose what is measured: the mass, its joint and its springs.")
-ABOUT_PLOTS = TEXT.format(
-    "Move the pointer over a plot to read values; drag across it to zoom in, double-click to see all."
-)
 REFUSED = TEXT.format('<span class="softrod-refused">{}</span>')
-NO_PLOT = TEXT.format("No plot is open. <b>New plot</b> shows {} while it moves.")
 
 
 class MeasurePanel:
@@ -54,22 +50,25 @@ class MeasurePanel:
         self._page, self._session = page, page.session
         self._mass: int | None = None
         self._joint = -1
+        self._parts: dict[str, str] = {part_called(FIRST_PART): FIRST_PART}
+        self._whats: dict[str, str] = {quantity_of("mass", what): what for what in OFFERED["mass"]}
         gui = page.client.gui
         with tab:
             gui.add_divider(order=BELOW + 1)
-            gui.add_html(ABOUT, order=BELOW + 2)
-            self._part = gui.add_dropdown("Part", FIRST_PART, order=BELOW + 3)
-            self._what = gui.add_dropdown("Quantity", OFFERED["mass"], order=BELOW + 4)
+            gui.add_html(TEXT.format(say("measure-about")), order=BELOW + 2)
+            self._part = gui.add_dropdown(say("measure-part"), tuple(self._parts), order=BELOW + 3)
+            self._what = gui.add_dropdown(say("measure-quantity"), tuple(self._whats), order=BELOW + 4)
             self._formula = gui.add_text(
-                "Formula",
+                say("measure-formula"),
                 initial_value="",
-                hint="in place of the quantity, as mass1.y - mass0.y or sqrt(mass0.vx^2 + mass0.vy^2)",
+                hint=say("measure-formula.hint"),
                 order=BELOW + 4.2,
             )
             self._refusal = gui.add_html("", order=BELOW + 4.4)
             self._refusal.visible = False
-            self._over = gui.add_dropdown("Over", TIME, order=BELOW + 5)
-            self.new = gui.add_button("New plot", icon=viser.Icon.CHART_LINE, order=BELOW + 6)
+            self._time: tuple[str, ...] = (say("measure-over.time"),)
+            self._over = gui.add_dropdown(say("measure-over"), self._time, order=BELOW + 5)
+            self.new = gui.add_button(say("measure-new"), icon=viser.Icon.CHART_LINE, order=BELOW + 6)
             self._hint = gui.add_html("", order=BELOW + 7)
             self._comma_switch = page.commas.add(gui, order=BELOW + 8)
             self._comma_switch.visible = False
@@ -86,7 +85,7 @@ class MeasurePanel:
         self._mass = mass
         self._formula.value = ""
         self._offer()
-        self._part.value = f"mass{mass}"
+        self._part.value = part_called(f"mass{mass}")
         self._offer()
 
     def build(self) -> None:
@@ -116,16 +115,21 @@ class MeasurePanel:
 
     def _offer(self) -> None:
         """Update the options of the lists."""
-        part = _set_options(self._part, self.parts)
-        offered = OFFERED[part.rstrip("0123456789")]
-        _set_options(self._what, offered)
+        self._parts = {part_called(part): part for part in self.parts}
+        part = self._parts[_set_options(self._part, tuple(self._parts))]
+        of = part.rstrip("0123456789")
+        offered = OFFERED[of]
+        self._whats = {quantity_of(of, what): what for what in offered}
+        _set_options(self._what, tuple(self._whats))
         same_part, chosen = (f"{part}.{what}" for what in offered), self._chosen
         refused = self._refused()
         self._refusal.content, self._refusal.visible = refused, bool(refused)
-        first = NO_PLOT.format(html.escape(chosen))
-        self._hint.content = ABOUT_PLOTS if len(self.plots) else "" if refused else first
+        about = say("measure-about.plots")
+        if not len(self.plots):
+            about = "" if refused else say("measure-no-plot", quantity=html.escape(chosen))
+        self._hint.content = about and TEXT.format(about)
         others = [name for name in dict.fromkeys((*same_part, *self.plots.names)) if name != chosen]
-        _set_options(self._over, (*TIME, *others))
+        _set_options(self._over, (*self._time, *others))
 
     @property
     def parts(self) -> tuple[str, ...]:
@@ -153,7 +157,8 @@ class MeasurePanel:
     def _chosen(self) -> str:
         """The formula, or without one the chosen quantity."""
         formula = self._formula.value[: MAX_LENGTH + 1].strip()
-        return formula or f"{self._part.value}.{self._what.value}"
+        part, what = self._part.value, self._what.value
+        return formula or f"{self._parts.get(part, part)}.{self._whats.get(what, what)}"
 
     def _refused(self) -> str:
         """Why the formula is none, as HTML; empty if it is one, or there is none."""
@@ -169,7 +174,7 @@ class MeasurePanel:
     def _add_chosen(self) -> None:
         over = self._over.value
         self._page.mail.send(ShowMeasures())
-        self.plots.add(PlotSpec((self._chosen,), "" if over in TIME else over))
+        self.plots.add(PlotSpec((self._chosen,), "" if over in self._time else over))
 
     def begin(self) -> None:
         """Open the first plot, of what is offered first, if there is none."""
@@ -181,7 +186,7 @@ class MeasurePanel:
         """Plot the angle of the joint whose readout is shown, and show the tab."""
         session = self._session
         if not session.scene.angular_springs:
-            self._page.notify(Notice("warning", "Nothing to plot", "This scene has no joints."))
+            self._page.notify(Notice("warning", say("measure-nothing"), say("measure-nothing.text")))
             return
         self._page.mail.send(ShowMeasures())
         spec = PlotSpec((f"joint{session.joint}.angle",))

@@ -21,6 +21,8 @@ from ...stage.colors import palette
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...viser_inside import element_id
+from ...words import say
+from ...words.keys import Key
 from . import analysis, plots
 from .messages import Melody
 
@@ -39,7 +41,11 @@ SPANS = {"5 s": 5.0, "10 s": 10.0, "20 s": 20.0, "1 min": 60.0, "10 min": 600.0,
 SPAN = "10 s"
 """What a new plot shows."""
 
-ADD, TABLE, PICTURE, HEAR, REMOVE = "Add to it", "CSV", "Picture", "Hear", "Remove"
+ADD: Key = "measure-add"
+TABLE: Key = "measure-table"
+PICTURE: Key = "measure-picture"
+HEAR: Key = "measure-hear"
+REMOVE: Key = "measure-remove"
 """Buttons below a plot."""
 
 NOTES = 240
@@ -77,19 +83,26 @@ class _OpenPlot:
         with tab:
             self._title = gui.add_html("", order=order)
             self._reading = gui.add_html("", order=order + 2)
-            labels = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
-            self.buttons = gui.add_button_group("", labels, order=order + 3)
+            keys = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
+            self.buttons = gui.add_button_group("", tuple(map(say, keys)), order=order + 3)
             self._lists = self._add_lists(order + 4) if is_own else ()
 
     def _add_lists(self, order: float) -> tuple[viser.GuiDropdownHandle[str], ...]:
         """Add what a user chooses for this plot alone."""
         page, gui = self._page, self._page.client.gui
-        span = gui.add_dropdown("Time span", tuple(SPANS), initial_value=SPAN, order=order)
-        kinds = analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
-        kind = gui.add_dropdown("Analysis", kinds, initial_value=analysis.NONE, order=order + 1)
+        span = gui.add_dropdown(say("measure-span"), tuple(SPANS), initial_value=SPAN, order=order)
+        kinds = {analysis.label_of(each): each for each in self._kinds}
+        kind = gui.add_dropdown(
+            say("measure-analysis"), tuple(kinds), initial_value=next(iter(kinds)), order=order + 1
+        )
         on_change(span, lambda: page.later(partial(self._set_span, span.value)))
-        on_change(kind, lambda: page.later(partial(self._prepare, kind.value)))
+        on_change(kind, lambda: page.later(partial(self._prepare, kinds.get(kind.value, ""))))
         return span, kind
+
+    @property
+    def _kinds(self) -> tuple[str, ...]:
+        """What it can be analysed by."""
+        return analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
 
     def _set_span(self, label: str) -> None:
         self.seconds = SPANS.get(label, self.seconds)
@@ -97,8 +110,7 @@ class _OpenPlot:
 
     def _prepare(self, kind: str) -> None:
         """Analyse by another kind, once what it takes is loaded."""
-        offered = analysis.OVER_ANOTHER if self.plot.spec.over else analysis.OVER_TIME
-        if kind not in offered:  # a page can send any text
+        if kind not in self._kinds:  # a page can send any text
             return
 
         def load() -> None:
@@ -164,7 +176,7 @@ class _OpenPlot:
                 self._reading.content = analysis.fits_text(plot, self._fits)
             elif reads:
                 # In a lesson, it is not the user who plots something that does not swing.
-                none = "no regular swing" if self._is_own else ""
+                none: Key | None = "measure-still" if self._is_own else None
                 self._reading.content = plots.reading(plot, self._span, none)
             self.chart.draw(plot, curve(plot, self._span, PIECES), colors, self._fits)
 
@@ -310,10 +322,10 @@ class PlotList:
         """Open a plot, or notify the user why that is impossible."""
         try:
             if len(self._plots) == MAX_PLOTS:
-                raise InputError(f"a page has room for {MAX_PLOTS} plots; remove one first")
+                raise InputError(say("measure-no-room", count=MAX_PLOTS))
             plot = Plot(spec, self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", "That cannot be plotted", f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot"), f"{error}."))
             return
         self._count += 1
         shown = _OpenPlot(
@@ -321,8 +333,8 @@ class PlotList:
         )
         self._plots.append(shown)
         presses = {
-            TABLE: shown.download, PICTURE: shown.draw_picture, HEAR: shown.play,
-            ADD: partial(self._extend, shown), REMOVE: partial(self._remove, shown),
+            say(TABLE): shown.download, say(PICTURE): shown.draw_picture, say(HEAR): shown.play,
+            say(ADD): partial(self._extend, shown), say(REMOVE): partial(self._remove, shown),
         }  # fmt: skip
 
         @shown.buttons.on_click
@@ -365,7 +377,7 @@ class PlotList:
         try:
             plot = Plot(PlotSpec((*spec.names, name), spec.over), self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", "That cannot be added", f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot-add"), f"{error}."))
             return
         plot.take_over(shown.plot)
         shown.chart.remove()

@@ -18,6 +18,9 @@ from ...session.plots import Plot, PlotWindow, Span
 from ...stage.colors import Palette
 from ...stage.looks import FONT
 from ...ui import readouts
+from ...words import say
+from ...words.keys import Key
+from ...words.quantities import kind_of_part, quantity_of
 from .analysis import DrawnSpectrum, Fit
 from .phase import phase_svg
 
@@ -152,8 +155,11 @@ class SpectrumChart(SvgChart):
 
     def draw(self, plot: Plot, drawn: DrawnSpectrum, colors: Palette) -> None:
         """Send the drawing."""
-        labels = "frequency, Hz", f"amplitude of {_labelled(plot.quantities)}"
-        name = f"amplitude spectrum of {', '.join(plot.spec.names)}"
+        labels = (
+            say("measure-axis-frequency"),
+            say("measure-axis-amplitude", quantity=_labelled(plot.quantities)),
+        )
+        name = say("measure-title-spectrum", quantity=", ".join(plot.spec.names))
         series = colors_of(plot, colors)
         self.put(
             phase_svg(drawn.frequencies, drawn.amplitudes, None, series, labels, name, peaks=drawn.peaks)
@@ -165,7 +171,7 @@ def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits
     count, values = len(plot.spec.names), drawn.values
     turned = any(plot.turned)
     labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
-    name = f"{', '.join(plot.spec.names)} over {plot.spec.over}"
+    name = say("measure-title-over", quantity=", ".join(plot.spec.names), over=plot.spec.over)
     places = [np.linspace(*fit.ends, FIT_POINTS) for fit in fits]
     curves = [(x, fit.at(x)) for x, fit in zip(places, fits, strict=True)]
     return phase_svg(
@@ -188,13 +194,13 @@ def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[
         # The legend has one of the two, see page.css.
         until.append({**line, "class": "softrod-until"})
         whole.append({**line, "class": "softrod-whole", "alpha": PALE})
-    return {"label": "time, s"}, *until, *whole
+    return {"label": say("measure-axis-time")}, *until, *whole
 
 
 def _fit_lines(plot: Plot, fits: Sequence[Fit], colors: Palette) -> tuple[uplot.Series, ...]:
     return tuple(
         {
-            "label": f"fit to {quantity.name}",
+            "label": say("measure-line-fit", quantity=quantity.name),
             "stroke": colors.css("text"),
             "width": 1.0,
             "scale": f"y{plot.units.index(quantity.unit)}",
@@ -214,8 +220,9 @@ def _axes(plot: Plot, colors: Palette) -> tuple[uplot.Axis, ...]:
         "grid": {"stroke": grid, "width": 1.0},
         "ticks": {"stroke": grid, "width": 1.0, "size": 4.0},
     }
+    time = say("measure-axis-time")
     axes: list[uplot.Axis] = [
-        {**common, "scale": "x", "label": "time, s", "labelSize": 18.0, "size": 26.0, "space": 36.0}
+        {**common, "scale": "x", "label": time, "labelSize": 18.0, "size": 26.0, "space": 36.0}
     ]
     for i, (unit, turned) in enumerate(zip(plot.units, plot.turned, strict=True)):
         label = _label([q for q in plot.quantities[: len(plot.spec.names)] if q.unit == unit], unit)
@@ -253,7 +260,10 @@ def _labelled(quantities: Sequence[sim.Quantity]) -> str:
 
 def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
     """Return what the quantities are, with their unit; or the kinds of their parts, if that is too long."""
-    for words in ((q.kind.what for q in quantities), (q.kind.of for q in quantities)):
+    for words in (
+        (quantity_of(q.kind.of, q.kind.what) for q in quantities),
+        (kind_of_part(q.kind.of) for q in quantities),
+    ):
         names = ", ".join(dict.fromkeys(words))
         label = f"{names}, {unit}" if unit else names
         if len(label) <= _MAX_LABEL:
@@ -263,7 +273,7 @@ def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
 
 def downwards(label: str, turned: bool) -> str:
     """Return an axis label that says whether values grow downwards."""
-    return f"{label}, downwards" if turned else label
+    return say("measure-axis-downwards", label=label) if turned else label
 
 
 def title(plot: Plot, series: Sequence[str]) -> str:
@@ -272,11 +282,11 @@ def title(plot: Plot, series: Sequence[str]) -> str:
         f'<span translate="no"><i style="background:{color}"></i>{html.escape(name)}</span>'
         for name, color in zip(plot.spec.names, series, strict=True)
     )
-    over = f" over {html.escape(plot.spec.over)}" if plot.spec.over else ""
+    over = " " + say("measure-over-one", over=html.escape(plot.spec.over)) if plot.spec.over else ""
     return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
 
 
-def reading(plot: Plot, span: Span, none: str = "no regular swing") -> str:
+def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:
     """Return period, amplitude and damping of each oscillating quantity, as HTML.
 
     They are those of the whole window, or of its last half or quarter if the motion was different before; of
@@ -285,7 +295,7 @@ def reading(plot: Plot, span: Span, none: str = "no regular swing") -> str:
     Args:
         plot: the plot.
         span: the window.
-        none: text if nothing oscillates.
+        none: what to say if nothing oscillates.
     """
     rows = plot.window(span)
     parts = list(_parts(rows[:, 0], plot.complete_since))
@@ -295,14 +305,25 @@ def reading(plot: Plot, span: Span, none: str = "no regular swing") -> str:
             time, values = rows[begin:, 0], rows[begin:, i]
             found = None if np.isnan(values).any() else swings(time, values)
             if found is not None and longest <= found.period / _PER_PERIOD:
-                loss = f", loses {100.0 * found.loss:.2g} % per cycle" if found.decrement is not None else ""
                 amplitude = f"{readouts.grouped(found.amplitude)} {quantity.unit}".strip()
+                name, period = html.escape(quantity.name), f"{found.period:.4g}"
+                amplitude = html.escape(amplitude)
+                if found.decrement is None:
+                    lines.append(say("measure-swing", quantity=name, period=period, amplitude=amplitude))
+                    break
                 lines.append(
-                    f"{html.escape(quantity.name)}: period <b>{found.period:.4g} s</b>, "
-                    f"amplitude <b>{html.escape(amplitude)}</b>{loss}"
+                    say(
+                        "measure-swing.loses",
+                        quantity=name,
+                        period=period,
+                        amplitude=amplitude,
+                        percent=f"{100.0 * found.loss:.2g}",
+                    )
                 )
                 break
-    return f'<div class="softrod-text softrod-reading">{"<br>".join(lines) or none}</div>'
+    if not lines and none:
+        lines = [say(none)]
+    return f'<div class="softrod-text softrod-reading">{"<br>".join(lines)}</div>'
 
 
 def _parts(time: NDArray[np.float64], complete_since: float) -> Iterator[tuple[int, float]]:

@@ -16,6 +16,7 @@ from sim.errors import InputError, SceneError
 from ...background import BackgroundWorker
 from ...session.notices import Notice
 from ...ui.page import Page
+from ...words import say
 
 MAX_MASSES = 200
 """Masses of a body that a page works on; pages would notice the work on larger ones."""
@@ -95,13 +96,16 @@ class Job:
             try:
                 scene = self._page.session.snapshot("a copy", with_pose)
                 if len(scene.masses) > MAX_MASSES:
-                    more = f"; {instead} does it for more" if instead else ""
-                    raise InputError(f"a page does that for at most {MAX_MASSES} masses{more}")
+                    raise InputError(
+                        say("solver-many.instead", count=MAX_MASSES, instead=instead)
+                        if instead
+                        else say("solver-many", count=MAX_MASSES)
+                    )
                 work(scene)
             except (InputError, SceneError) as error:
                 self._page.notify(Notice("error", trouble, sentence(error)))
             except Exception:
-                self._page.notify(Notice("error", trouble, "There was an error on the server."))
+                self._page.notify(Notice("error", trouble, say("solver-error")))
                 raise
 
         return self.run(run, then)

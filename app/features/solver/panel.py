@@ -14,13 +14,22 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.choice_box import ChoiceBox
 from ...ui.viser.handlers import on_change
+from ...words import find, say
+from ...words.keys import Key
+from ...words.settings import options_of
 from .method_panel import MethodPanel
 from .tuning_panel import TuningPanel
 
-NO_GHOST = "nothing"
-REFERENCE_LABEL = "a near-exact solution"
-SAME_LAW = "the same"
-FINER_LABELS: dict[int, str] = dict(zip(FINER, ("the same", "a half", "a quarter", "a tenth"), strict=True))
+NO_GHOST: Key = "solver-compare.nothing"
+REFERENCE_LABEL: Key = "solver-compare.reference"
+SAME_LAW: Key = "solver-ghost-law.same"
+FINER_LABELS: tuple[Key, ...] = (
+    "solver-ghost-step.same",
+    "solver-ghost-step.half",
+    "solver-ghost-step.quarter",
+    "solver-ghost-step.tenth",
+)
+"""Of the parts of a step in `FINER`."""
 
 LAST = 1e6
 """Order of what stands below the sliders, which come and go."""
@@ -36,38 +45,43 @@ class SolverPanel:
     def __init__(self, page: Page) -> None:
         self._session = session = page.session
         gui = page.client.gui
-        methods, laws = CHOICES["method"].options, CHOICES["force_law"].options
+        self._methods, self._laws = options_of("method"), options_of("force_law")
+        self._parts: dict[int, str] = dict(zip(FINER, map(say, FINER_LABELS), strict=True))
         self._sentence = gui.add_html("", order=0.1)
         self._method = ChoiceBox(page, "method", 1)
         self._about = gui.add_html("", order=2)
         self._law = ChoiceBox(page, "force_law", 3)
         self._own_values = page.button(
-            "Scene's own values",
+            say("solver-own"),
             viser.Icon.RESTORE,
             lambda: session.post(commands.RestoreSceneValues("solver")),
             order=LAST - 1,
         )
         self._energy = gui.add_checkbox(
-            "Energy", initial_value=False, hint="follow what changes the energy", order=LAST
+            say("solver-energy"), initial_value=False, hint=say("solver-energy.hint"), order=LAST
         )
         self._energies = gui.add_html("", order=LAST + 1)
         self._foretell = gui.add_checkbox(
-            "Predictability",
+            say("solver-foretell"),
             initial_value=False,
-            hint="how fast small errors grow: whether any tolerance can tell where the body will be",
+            hint=say("solver-foretell.hint"),
             order=LAST + 1.2,
         )
         self._growth = gui.add_html("", order=LAST + 1.4)
         self._advice = MethodPanel(page, 0.2)
         self._tuning = TuningPanel(page, LAST + 1.5)
         self._other = gui.add_dropdown(
-            "Compare with", (NO_GHOST, REFERENCE_LABEL, *methods.values()), order=LAST + 2
+            say("solver-compare"),
+            (say(NO_GHOST), say(REFERENCE_LABEL), *self._methods.values()),
+            order=LAST + 2,
         )
-        self._other_law = gui.add_dropdown("Ghost's law", (SAME_LAW, *laws.values()), order=LAST + 3)
+        self._other_law = gui.add_dropdown(
+            say("solver-ghost-law"), (say(SAME_LAW), *self._laws.values()), order=LAST + 3
+        )
         self._finer = gui.add_dropdown(
-            "Ghost's step",
-            tuple(FINER_LABELS.values()),
-            hint="its time step, or its tolerance where it has one, as a part of the body's",
+            say("solver-ghost-step"),
+            tuple(self._parts.values()),
+            hint=say("solver-ghost-step.hint"),
             order=LAST + 4,
         )
         self._ghost = gui.add_html("", order=LAST + 5)
@@ -95,11 +109,10 @@ class SolverPanel:
     def refresh_controls(self) -> None:
         """Update the controls after commands or other controls."""
         scene, ghost = self._session.scene, self._session.ghost
-        method = METHODS[scene.integrator.method]
-        laws = CHOICES["force_law"].options
-        other = NO_GHOST
+        method = scene.integrator.method
+        other = say(NO_GHOST)
         if ghost is not None:
-            other = REFERENCE_LABEL if ghost.method == REFERENCE else METHODS[ghost.method].label
+            other = say(REFERENCE_LABEL) if ghost.method == REFERENCE else self._methods[ghost.method]
         self._method.show(scene)
         self._law.show(scene)
         self._other.value = other
@@ -107,12 +120,12 @@ class SolverPanel:
         self._other_law.visible = ghost is not None and CHOICES["force_law"].applies(scene)
         self._finer.visible = ghost is not None and ghost.method != REFERENCE
         # Without one, these are the values that the next one begins with.
-        self._other_law.value = laws[ghost.law] if ghost is not None and ghost.law else SAME_LAW
-        self._finer.value = FINER_LABELS[ghost.finer if ghost is not None else 1]
+        self._other_law.value = self._laws[ghost.law] if ghost is not None and ghost.law else say(SAME_LAW)
+        self._finer.value = self._parts[ghost.finer if ghost is not None else 1]
         self._energy.value = self._session.follows_energy
         self._foretell.value = self._session.predictability is not None
         self._sentence.content = f'<div class="softrod-text softrod-lead">{_sentence(scene)}</div>'
-        self._about.content = f'<div class="softrod-text softrod-about">{method.summary}</div>'
+        self._about.content = f'<div class="softrod-text softrod-about">{_about(method)}</div>'
 
     @property
     def waits(self) -> bool:
@@ -131,24 +144,27 @@ class SolverPanel:
 
     def _compare(self) -> None:
         """Compare with the chosen method."""
-        law = _key_of(CHOICES["force_law"].options, self._other_law.value)
-        finer: int = next((part for part, label in FINER_LABELS.items() if label == self._finer.value), 1)
-        if self._other.value == REFERENCE_LABEL:
+        law = _key_of(self._laws, self._other_law.value)
+        finer: int = next((part for part, label in self._parts.items() if label == self._finer.value), 1)
+        if self._other.value == say(REFERENCE_LABEL):
             method = REFERENCE
         else:
-            method = _key_of(CHOICES["method"].options, self._other.value)
+            method = _key_of(self._methods, self._other.value)
         self._session.post(commands.Compare(method, law, finer))
 
 
 def _sentence(scene: Scene) -> str:
     """What the method of a scene does, in one sentence."""
     solver = scene.integrator
-    method = METHODS[solver.method]
-    if method.adaptive:
-        return f"<b>{method.label}</b> keeps to {solver.tolerance:g} px, with steps as long as that allows."
-    return (
-        f"<b>{method.label}</b> takes {1.0 / solver.dt:.0f} equal steps a second, of {1e3 * solver.dt:g} ms."
-    )
+    name = options_of("method")[solver.method]
+    if METHODS[solver.method].adaptive:
+        return say("solver-adaptive", method=name, tolerance=f"{solver.tolerance:g}")
+    return say("solver-fixed", method=name, rate=f"{1.0 / solver.dt:.0f}", step=f"{1e3 * solver.dt:g}")
+
+
+def _about(method: str) -> str:
+    """What a method is and what it is good for, in one sentence."""
+    return find(f"solver-method-{method.replace('_', '-')}", METHODS[method].summary)
 
 
 def _key_of(options: dict[str, str], label: str) -> str:

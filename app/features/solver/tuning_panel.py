@@ -28,6 +28,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_change
 from ...ui.viser.look import describe_control
 from ...ui.viser.slider_box import SliderBox, alike, allows, rounded
+from ...words import say
 from .job import MAX_MASSES, Job, paragraph, sentence, worker
 
 APPLY_TIMEOUT = 1.0
@@ -64,13 +65,12 @@ class TuningAnalysis:
         if not self.busy or self._is_running or not settled:
             return
         if len(scene.masses) > MAX_MASSES:
-            trouble = f"is told here of at most {MAX_MASSES} masses; sim.tuning tells it of more"
-            self._finish(scene, None, trouble)
+            self._finish(scene, None, say("solver-tuning-row.many", count=MAX_MASSES))
         elif is_compiled(scene):
             self._is_running = True
             worker.submit(lambda: self._run(scene))
         else:
-            self.tuning, self.trouble = None, "comes when it is compiled"
+            self.tuning, self.trouble = None, say("solver-tuning-row.compiled")
 
     def _run(self, scene: sim.Scene) -> None:
         try:
@@ -78,7 +78,7 @@ class TuningAnalysis:
             self.sensitivities = sim.sensitivities(scene)
             self._finish(scene, tuning, "")
         except Exception:
-            self._finish(scene, None, "cannot be told because of an error on the server")
+            self._finish(scene, None, say("solver-tuning-row.error"))
             raise
         finally:
             self._is_running = False
@@ -163,46 +163,45 @@ class TuningPanel:
         self._analysis: TuningAnalysis | None = None
         gui = page.client.gui
         self._on = gui.add_checkbox(
-            "Tuning",
+            say("solver-tuning"),
             initial_value=False,
-            hint="what the stiffnesses mean: frequencies, damping, sag, and stable time steps",
+            hint=say("solver-tuning.hint"),
             order=order,
         )
         self._table = gui.add_html("", order=order + 0.3)  # below what it follows from
         self._stable = page.button(
-            "Make it stable at this time step",
+            say("solver-stable"),
             viser.Icon.SHIELD_CHECK,
             self._make_stable,
-            hint="lowers no more stiffness and damping than it takes",
+            hint=say("solver-stable.hint"),
             visible=False,
             order=order + 0.2,
         )
         self._damp = page.button(
-            "Critically damp",
+            say("solver-damp"),
             viser.Icon.WAVE_SINE,
             self._damp_it,
-            hint="the selected springs, each by itself; or else the body's slowest elastic vibration",
+            hint=say("solver-damp.hint"),
             visible=False,
             order=order + 0.22,
         )
         self._sliders = [
             SliderBox(page.client, page.mail, of, value, partial(self._aim, of.key), order + place)
             for of, value, place in (
-                (_target("frequency", "Soft – stiff", "Hz", (1e-3, 1e6), (0.1, 30.0)), 1.0, 0.1),
-                (_target("damping", "Bouncy – calm", "", (1e-4, 1.0), (0.005, 1.0)), 0.1, 0.12),
+                (_target("frequency", say("solver-frequency"), "Hz", (1e-3, 1e6), (0.1, 30.0)), 1.0, 0.1),
+                (_target("damping", say("solver-damping"), "", (1e-4, 1.0), (0.005, 1.0)), 0.1, 0.12),
             )
         ]
         for one in self._sliders:
             one.slider.visible = False
-        calm = "when the slowest elastic vibration is down to a tenth; type how long it is to take"
-        sag = "how far the mass that sinks most is to sink; stiffness makes it less"
-        step = "the largest stable time step; less stiffness and damping make it longer"
+        calm = say("solver-calm-after.hint")
+        sag, step = say("solver-sag.hint"), say("solver-dt.hint")
         self._boxes = {
             of.key: _TargetBox(page, of, hint, partial(self._aim, of.key), order + place)
             for of, hint, place in (
-                (_target("calm_after", "Calm after", "s", (1e-6, 1e6)), calm, 0.15),
-                (_target("sag", "Sag", "px", (1e-6, 1e6)), sag, 0.16),
-                (_target("dt", "Stable step", "s", (1e-9, 1.0)), step, 0.17),
+                (_target("calm_after", say("solver-calm-after"), "s", (1e-6, 1e6)), calm, 0.15),
+                (_target("sag", say("solver-sag"), "px", (1e-6, 1e6)), sag, 0.16),
+                (_target("dt", say("solver-dt"), "s", (1e-9, 1.0)), step, 0.17),
             )
         }
         self._targets: dict[str, float] = {}  # of these the last one of each waits
@@ -211,9 +210,9 @@ class TuningPanel:
         self._conflict = ""
         self._conflict_scene: sim.Scene | None = None  # that the conflict is about; None until it is shown
         on_change(self._on, self._switch)
-        add_command(gui, "Tuning: show it, or hide it", self._toggle)
-        add_command(gui, "Make it stable at this time step", self._make_stable)
-        add_command(gui, "Critically damp", self._damp_it)
+        add_command(gui, say("solver-tuning.command"), self._toggle)
+        add_command(gui, say("solver-stable"), self._make_stable)
+        add_command(gui, say("solver-damp"), self._damp_it)
 
     @property
     def waits(self) -> bool:
@@ -277,19 +276,16 @@ class TuningPanel:
     def _make_stable(self) -> None:
         if self._session.simulation.divergence is not None:
             # What it looks like then says nothing of the body: it was torn apart.
-            text = (
-                "The body has exploded: go back to just before it, or press Reset, and then make it stable."
-            )
-            self._notify(Notice("warning", "It cannot be made stable", text))
+            self._notify(Notice("warning", say("solver-not-stable"), say("solver-not-stable.exploded")))
             return
         # In its present shape, which is what the meter shows.
-        self._start("It cannot be made stable", self._stabilize, with_pose=True)
+        self._start(say("solver-not-stable"), self._stabilize, with_pose=True)
 
     def _damp_it(self) -> None:
         if self._session.selection.springs:
             self._session.post(commands.Change(lambda moment, some: damp_springs(moment.scene, some.springs)))
         else:
-            self._start("It cannot be damped", self._damp_vibration, with_pose=False)
+            self._start(say("solver-not-damped"), self._damp_vibration, with_pose=False)
 
     def _aim(self, key: str, value: float) -> None:
         """Take a target from a slider or a box."""
@@ -323,7 +319,7 @@ class TuningPanel:
             return ""
         design, label = designed
         if key == "dt" and design.factors == Factors():
-            return f"It is stable at {1e3 * value:.3g} ms as it is, so nothing was changed."
+            return say("solver-is-stable.target", step=f"{1e3 * value:.3g} ms")
         applied = threading.Event()
 
         def make(moment: sim.Moment, _: Selection) -> Edit:
@@ -340,7 +336,7 @@ class TuningPanel:
 
         def run(scene: sim.Scene) -> None:
             if not is_compiled(scene):
-                raise InputError("the solver is still being compiled; try again in a moment")
+                raise InputError(say("solver-compiling"))
             work(scene)
 
         self._job.run_on_scene(trouble, run, with_pose, then=self._begin)
@@ -348,24 +344,24 @@ class TuningPanel:
     def _stabilize(self, scene: sim.Scene) -> None:
         made, step = sim.make_stable(scene), f"{1e3 * scene.integrator.dt:.3g} ms"
         if made is scene:
-            self._notify(Notice("info", "It is stable", f"It is stable at {step}. Nothing was changed."))
+            self._notify(Notice("info", say("solver-is-stable"), say("solver-is-stable.text", step=step)))
         else:
-            self._change(made, scene, f"Made stable at {step}")
+            self._change(made, scene, say("solver-did-stable", step=step))
 
     def _damp_vibration(self, scene: sim.Scene) -> None:
         damped = sim.damp_vibration(scene)
         made = as_far_as_stable(scene, damped)
         if made is damped:
-            self._change(made, scene, "Critically damped")
+            self._change(made, scene, say("solver-did-damp"))
             return
         elastic = sim.tuning(made).elastic
-        ratio = (
-            f": a damping ratio of {elastic.damping_ratio:.2g} instead of 1" if elastic is not None else ""
-        )
         step = f"{1e3 * scene.integrator.dt:.3g} ms"
-        self._change(made, scene, f"Damped as far as {step} allows")
-        text = f"It is damped as far as its time step of {step} bears{ratio}. The integrator Auto bears more."
-        self._notify(Notice("info", "Not critical yet", text))
+        self._change(made, scene, say("solver-did-damp-some", step=step))
+        if elastic is None:
+            text = say("solver-not-critical.text", step=step)
+        else:
+            text = say("solver-not-critical.ratio", step=step, ratio=f"{elastic.damping_ratio:.2g}")
+        self._notify(Notice("info", say("solver-not-critical"), text))
 
     def _change(self, made: sim.Scene, scene: sim.Scene, label: str) -> None:
         change = partial(with_numbers, numbers=Numbers.of(made))
@@ -375,29 +371,33 @@ class TuningPanel:
 def _designed(scene: sim.Scene, key: str, value: float) -> tuple[Design, str] | None:
     """Return the design that meets a target, and its label; None if there is no vibration to change."""
     if key == "calm_after":
-        return sim.set_wishes(scene, calm_after=value), f"Calm after {value:.3g} s"
+        return sim.set_wishes(scene, calm_after=value), say("solver-did-calm", seconds=f"{value:.3g}")
     if key == "sag":
-        return sim.set_wishes(scene, sag=value), f"Sag {value:.3g} {scene.view.unit}"
+        return sim.set_wishes(scene, sag=value), say(
+            "solver-did-sag", length=f"{value:.3g} {scene.view.unit}"
+        )
     if key == "dt":
-        return sim.set_wishes(scene, dt=value), f"Stable to {1e3 * value:.3g} ms"
+        return sim.set_wishes(scene, dt=value), say("solver-did-dt", step=f"{1e3 * value:.3g} ms")
     elastic = sim.tuning(scene).elastic
     if elastic is None:
         return None
     if key == "damping":
         calm = TENTH / (math.tau * elastic.frequency * value)
-        return sim.set_wishes(scene, calm_after=calm), f"Damping ratio {value:.2g}"
+        return sim.set_wishes(scene, calm_after=calm), say("solver-did-ratio", ratio=f"{value:.2g}")
     # The damping ratio stays, unless nothing damps the vibration.
     ratio = elastic.damping_ratio
     calm = TENTH / (math.tau * value * ratio) if 1e-3 < ratio < 1.0 else None
-    return sim.set_wishes(scene, frequency=value, calm_after=calm), f"{value:.3g} Hz"
+    return sim.set_wishes(scene, frequency=value, calm_after=calm), say(
+        "solver-did-frequency", frequency=f"{value:.3g}"
+    )
 
 
 def _content(analysis: TuningAnalysis, session: Session) -> str:
     scene, tuning = analysis.scene, analysis.tuning
     if analysis.trouble:
-        return readouts.table({"tuning": analysis.trouble})
+        return readouts.table({say("solver-tuning-row"): analysis.trouble})
     if scene is None or tuning is None:
-        return readouts.table({"tuning": "is being found out"})
+        return readouts.table({say("solver-tuning-row"): say("solver-tuning-row.busy")})
     springs = session.selection.springs
     chosen = next(iter(springs)) if len(springs) == 1 else None
     known = chosen is not None and chosen < len(tuning.springs.frequency)

@@ -4,6 +4,7 @@ import { download } from "../../ui/download.js";
 import { HALF, cutOut, find, greyOf } from "./follow.js";
 import { rateOf } from "./rate.js";
 import { tableOf } from "./table.js";
+import { say } from "../../words/words.js";
 
 /** @typedef {import("./table.js").Place} Place */
 /** @typedef {import("./table.js").Point} Point */
@@ -55,7 +56,7 @@ let shownAt = null;
 let queue = Promise.resolve();
 
 /** @param {string} text */
-const say = (text) => void (byId("said").textContent = text);
+const tell = (text) => void (byId("said").textContent = text);
 const framesASecond = () => Math.max(1, Math.min(1000, Number(rate.value) || 30));
 const frames = () => Math.max(1, Math.min(MAX_FRAMES, Math.round(video.duration * framesASecond())));
 
@@ -68,7 +69,7 @@ async function open(file) {
   URL.revokeObjectURL(video.src);
   const come = Promise.race([heard("loadeddata").then(() => true), heard("error").then(() => false)]);
   video.src = URL.createObjectURL(file);
-  if (!(await come) || !video.videoWidth) return say(`${file.name}: this browser cannot show it as a video`);
+  if (!(await come) || !video.videoWidth) return tell(say("video-unknown", { name: file.name }));
   if (!Number.isFinite(video.duration)) {
     // What a browser records has no length in its header; only its end shows it.
     const end = heard("seeked");
@@ -82,18 +83,13 @@ async function open(file) {
   origin = { x: 0, y: 0 };
   shownAt = null;
   byId("drop").hidden = byId("about").hidden = true;
-  say("Its first frames are played, to find how many come in a second ...");
+  tell(say("video-playing"));
   const found = await playedRate();
   rate.value = String(found ?? 30);
   byId("work").hidden = false;
   slider.max = String(frames() - 1);
   await show(0);
-  say(
-    (found === null
-      ? "This browser does not report how many frames come in a second: enter it next to the slider. "
-      : `It has ${found} frames a second; if it does not, correct that next to the slider. `) +
-      "Then click a point in the frame. Follow looks for it in the next ones.",
-  );
+  tell(found === null ? say("video-found.not") : say("video-found", { rate: String(found) }));
 }
 
 /** The frame rate, determined from some frames that are played; null where that is not possible. */
@@ -187,7 +183,11 @@ function draw() {
   }
   for (const place of [...ruler, ...(origin.x || origin.y ? [origin] : [])]) cross(place, 6 * size);
   slider.value = String(frame);
-  byId("where").textContent = `${frame + 1} of ${frames()}, ${(times.get(frame) ?? 0).toFixed(3)} s`;
+  byId("where").textContent = say("video-where", {
+    frame: String(frame + 1),
+    count: String(frames()),
+    time: (times.get(frame) ?? 0).toFixed(3),
+  });
 }
 
 /** @param {Place} place @param {number} size */
@@ -204,7 +204,7 @@ function cross({ x, y }, size) {
 function mark(place) {
   if (tool === "ruler") {
     ruler = ruler.length === 1 ? [ruler[0], place] : [place];
-    say(ruler.length === 1 ? "Click the other end of the ruler." : "Say below how long the ruler is.");
+    tell(say(ruler.length === 1 ? "video-ruler.other" : "video-ruler.length"));
   } else if (tool === "origin") origin = place;
   else points[Number(tool)].places.set(frame, place);
   draw();
@@ -215,18 +215,18 @@ async function follow() {
   const grey = () => greyOf(plainPen.getImageData(0, 0, plain.width, plain.height).data, plain.width, plain.height);
   const first = grey();
   const marked = points.filter(({ places }) => places.has(frame));
-  if (!marked.length) return say("Mark a point in this frame first.");
+  if (!marked.length) return tell(say("video-mark-first"));
   const followed = [];
   for (const { name, places } of marked) {
     const place = /** @type {Place} */ (places.get(frame));
     const template = cutOut(first, place.x, place.y);
     if (!template) {
-      return say(`${name}: there is nothing to recognise within ${HALF} pixels, or it is too near to the edge.`);
+      return tell(say("video-plain", { name, count: HALF }));
     }
     followed.push({ name, places, template, place, step: { x: 0, y: 0 } });
   }
   following = true;
-  byId("follow").textContent = "Stop";
+  byId("follow").textContent = say("video-follow.stop");
   let lost = "";
   while (following && !lost && frame < frames() - 1) {
     await show(frame + 1);
@@ -244,8 +244,8 @@ async function follow() {
     draw();
   }
   following = false;
-  byId("follow").textContent = "Follow";
-  say(lost ? `${lost} is lost in frame ${frame + 1}: click it there, and follow on.` : "Followed.");
+  byId("follow").textContent = say("video-follow");
+  tell(lost ? say("video-lost", { name: lost, frame: String(frame + 1) }) : say("video-followed"));
 }
 
 function forget() {
@@ -254,17 +254,16 @@ function forget() {
 }
 
 function save() {
-  if (points.every(({ places }) => !places.size)) return say("Mark a point first.");
+  if (points.every(({ places }) => !places.size)) return tell(say("video-none"));
   const length = Number(/** @type {HTMLInputElement} */ (byId("length")).value);
   const [a, b] = ruler;
   const drawn = b ? Math.hypot(b.x - a.x, b.y - a.y) : 0;
-  if (b && !(length > 0 && Number.isFinite(length) && drawn > 0)) return say("The ruler has no length.");
+  if (b && !(length > 0 && Number.isFinite(length) && drawn > 0)) return tell(say("video-no-length"));
   const unit = /** @type {HTMLInputElement} */ (byId("unit")).value.replace(/[^\p{L}\p{N}]/gu, "") || "px";
   const down = /** @type {HTMLSelectElement} */ (byId("direction")).value === "down";
   const scale = { origin, pixels: b ? drawn / length : 1, unit: b ? unit : "px", down };
   download(new Blob([tableOf(points, times, scale)], { type: "text/csv" }), "video.csv");
-  const saved = b ? "Saved." : "Saved in pixels: no ruler was drawn.";
-  say(`${saved} Drop the file on the page with the body to see it there and to fit it.`);
+  tell(say(b ? "video-saved" : "video-saved.pixels"));
 }
 
 /** The buttons that choose what a click marks. */
@@ -282,15 +281,15 @@ function makeTools() {
     return together;
   };
   points.forEach((point, i) => {
-    const together = add(String(i), `Point ${i + 1}`, COLOURS[i]);
+    const together = add(String(i), say("video-point", { number: i + 1 }), COLOURS[i]);
     const name = document.createElement("input");
     Object.assign(name, { className: "name", value: point.name, maxLength: 20 });
-    name.setAttribute("aria-label", `Name of point ${i + 1} in the table`);
+    name.setAttribute("aria-label", say("video-point.name", { number: i + 1 }));
     name.onchange = () => (point.name = name.value = name.value.replace(/[^\p{L}\p{N}]/gu, "") || `mass${i + 1}`);
     together.append(name);
   });
-  add("ruler", "Ruler");
-  add("origin", "Origin");
+  add("ruler", say("video-ruler"));
+  add("origin", say("video-origin"));
   choose(tool);
 }
 
