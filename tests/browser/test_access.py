@@ -36,6 +36,7 @@ def test_a_language_from_right_to_left_has_the_panel_at_the_left_and_time_and_nu
 ) -> None:
     desk = open_page("rope", path="/?lang=ar")
     parts = "panel label number unit play clock"
+    names = ["canvas", *(f".softrod-{part}" for part in parts.split())]
     at = desk.page.evaluate(
         """(names) => Object.fromEntries(names.map((name) => {
           const { left, right } = document.querySelector(name).getBoundingClientRect();
