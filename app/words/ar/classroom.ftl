@@ -251,10 +251,10 @@ desk-room = الحصة
 desk-over = انتهت الحصة
 desk-nothing-kept = لا يُحفظ على هذا الحاسوب شيء مما قُدّم.
 
-desk-here = الحاضرون: { $count }
-desk-wall = شاشة العرض
-desk-controls = عناصر التحكم
-  .label = عناصر التحكم في جسمي
+desk-here = هنا: { $count }
+desk-wall = الشاشة
+desk-controls = التحكم
+  .label = التحكم في جسمي
 desk-not-kept = غير محفوظ
 desk-saving = جارٍ الحفظ…
 desk-pupils-type = يكتب التلاميذ { $address } و { $code }.
