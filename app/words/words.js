@@ -22,7 +22,7 @@ export const languages = () =>
     return { tag, name };
   });
 
-const bundle = new FluentBundle(language, { useIsolating: direction === "rtl" });
+const bundle = new FluentBundle(`${language}-u-nu-latn`, { useIsolating: direction === "rtl" });
 bundle.addResource(new FluentResource(words.text));
 
 /** What stands before the decimals. */

@@ -128,7 +128,7 @@ def test_every_family_of_letters_is_a_token() -> None:
 def test_every_variable_that_a_style_asks_for_is_there() -> None:
     made = style_rules("@media print{*}") + "".join(all_styles().values())
     names = set(re.findall(r"(--softrod-[\w-]+) *:", made))
-    # Such as --softrod-seat, and --softrod-room-left, of which a script has the side in a variable.
+    # Such as --softrod-seat, and --softrod-glow-1, of which a script has the number in a variable.
     for path in [*APP.rglob("*.js"), *APP.rglob("*.py")]:
         names |= set(
             re.findall(r"""["'`;\s](--softrod-[\w-]+)(?:["'`:]|\$\{)""", path.read_text(encoding="utf-8"))

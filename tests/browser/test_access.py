@@ -31,6 +31,25 @@ def test_another_language_keeps_the_body_and_what_can_be_undone(open_page: OpenP
     desk.until(lambda: desk.session.scene.gravity[1] != 321.0, "what was done before is undone")
 
 
+def test_a_language_from_right_to_left_has_the_panel_at_the_left_and_time_and_numbers_as_ever(
+    open_page: OpenPage,
+) -> None:
+    desk = open_page("rope", path="/?lang=ar")
+    parts = "panel label number unit play clock"
+    names = ["canvas", *(f".softrod-{part}" for part in parts.split())]
+    at = desk.page.evaluate(
+        """(names) => Object.fromEntries(names.map((name) => {
+          const { left, right } = document.querySelector(name).getBoundingClientRect();
+          return [name, { left, right }];
+        }))""",
+        names,
+    )
+    assert at[".softrod-panel"]["left"] == 0
+    assert at["canvas"]["left"] >= at[".softrod-panel"]["right"] - 1
+    assert at[".softrod-number"]["right"] <= at[".softrod-unit"]["left"] < at[".softrod-label"]["left"]
+    assert at[".softrod-play"]["right"] < at[".softrod-clock"]["left"]
+
+
 def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page: OpenPage) -> None:
     desk = open_page()
     desk.changed = True

@@ -145,7 +145,7 @@ export function fold(title, content, name = title) {
 export function voteBars(choices, bars, right) {
   const most = Math.max(1, ...bars);
   return box("ol", "softrod-bars", ...choices.map((choice, i) => {
-    const item = box("li", "", make("span", "", choice));
+    const item = box("li", "", make("bdi", "", choice));
     if (bars.length) {
       const bar = make("i", "");
       bar.style.setProperty("--softrod-part", String(bars[i] / most));

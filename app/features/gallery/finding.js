@@ -1,6 +1,8 @@
 // @ts-check
 /** How scenes on cards are searched, and where arrows lead among them: in the page's gallery, and in one that is a site. */
-import { folded } from "../../words/words.js";
+import { direction, folded } from "../../words/words.js";
+
+const [BACK, ON] = direction === "rtl" ? ["ArrowRight", "ArrowLeft"] : ["ArrowLeft", "ArrowRight"];
 
 /**
  * Whether a scene is one that is searched for: each word is in its title, its name or what it shows.
@@ -21,8 +23,8 @@ export function isFound({ name, title, text, group }, wanted) {
  * @param {{x: number, y: number}[]} places in reading order
  */
 export function arrived(key, from, places) {
-  if (key === "ArrowRight") return Math.min(from + 1, places.length - 1);
-  if (key === "ArrowLeft") return Math.max(from - 1, 0);
+  if (key === ON) return Math.min(from + 1, places.length - 1);
+  if (key === BACK) return Math.max(from - 1, 0);
   if (key === "Home") return 0;
   if (key === "End") return places.length - 1;
   const sign = key === "ArrowDown" ? 1 : -1;

@@ -10,8 +10,8 @@ import { say } from "../../words/words.js";
 
 /** @param {string} label @param {string} text */
 function paragraph(label, text) {
-  const made = make("p", "", ` ${text}`);
-  made.prepend(make("b", "", label));
+  const made = make("p", "");
+  made.append(make("b", "", `${label} `), make("bdi", "", text));
   return made;
 }
 
@@ -22,6 +22,7 @@ function asked({ text, choices, answer: right }, run) {
   box.append(make("legend", "", text));
   choices.forEach((choice, i) => {
     const made = makeButton(choice, () => run.answer(i), "softrod-button softrod-choice");
+    made.dir = "auto";
     made.ariaPressed = String(i === chosen);
     made.disabled = known;
     if (known && i === right) made.dataset.right = "";

@@ -304,6 +304,7 @@ function choices(asking) {
   const buttons = asking.choices.map((text, choice) =>
     button(text, () => give({ do: "giveVote", ...place(asking), choice }), { focus: `choice${choice}`, name: "softrod-choice", pressed: given?.choice === choice }),
   );
+  for (const each of buttons) each.dir = "auto";
   const had = before && before.choice >= 0 ? [make("p", "softrod-quiet", say("seat-chose-before", { choice: asking.choices[before.choice] }))] : [];
   const { given: told, asked } = textsOf(asking.question);
   const fieldset = box("fieldset", "", make("legend", "", `${told} ${asked}`.trim()), ...had, ...buttons);

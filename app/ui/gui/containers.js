@@ -1,7 +1,7 @@
 // @ts-check
 /** Controls that hold others: folders and tabs. */
 import { make, makeButton } from "../dialog.js";
-import { language } from "../../words/words.js";
+import { direction, language } from "../../words/words.js";
 import { Control, newId, Place, setText } from "./control.js";
 
 /** @typedef {import("./control.js").Declared} Declared */
@@ -154,7 +154,8 @@ class Tabs extends Control {
   press(event) {
     const ids = [...this.tabs.keys()];
     const at = ids.indexOf(this.shown);
-    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: ids.length - 1 }[event.key];
+    const on = direction === "rtl" ? -1 : 1;
+    const to = { ArrowRight: at + on, ArrowLeft: at - on, Home: 0, End: ids.length - 1 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
     event.stopPropagation();

@@ -1,0 +1,15 @@
+lesson-card = الدرس
+lesson-right = هذا صحيح.
+lesson-answer = الإجابة هي: { $choice }.
+lesson-count = { $at } من { $count }
+lesson-check = فحص الإجابة
+lesson-next = الخطوة التالية
+    .first = العودة إلى الخطوة 1
+lesson-do = نفّذ:
+lesson-watch = لاحظ:
+lesson-back = رجوع
+lesson-again = من جديد
+    .hint = بدء هذه الخطوة من جديد
+lesson-fails = لا يمكن أن تبدأ هذه الخطوة
+lesson-closed = حصة ما تسير في هذا الدرس الآن
+    .text = هنا جسم الدرس وحده؛ أما الخطوات فتأتي مع الحصة.
