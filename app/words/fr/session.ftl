@@ -66,15 +66,15 @@ session-differs-unknown = plus grande distance inconnue
 session-too-heavy = cette image est trop lourde pour être lue dans une page ; `softrod run --inputs` peut le faire
 session-log-plays = un journal est en cours de lecture ; il n’y a rien d’autre à enregistrer
 
-session-awaited = bouge avec NumPy jusqu’à la fin de cette compilation : { $what } ; prêt : { $ready } sur { $count }
-session-preparing = préparation : { $what } ; prêt : { $ready } sur { $count }
+session-awaited = bouge avec NumPy tant que { $what } n’est pas compilé : { $ready } éléments prêts sur { $count }
+session-preparing = préparation ({ $what }) : { $ready } éléments prêts sur { $count }
 
 session-errors-kept = Les erreurs ne croissent pas : une tolérance de { $tolerance } est respectée.
-    .grow = Les erreurs croissent × { $factor } en une seconde : une tolérance de { $tolerance } est respectée.
+    .grow = Les erreurs croissent d’un facteur { $factor } en une seconde : une tolérance de { $tolerance } est respectée.
 session-errors-step = Les erreurs ne croissent pas : un pas de temps plus court les réduit.
-    .grow = Les erreurs croissent × { $factor } en une seconde : un pas de temps plus court les réduit.
-session-errors-lost = Les erreurs croissent × { $factor } en une seconde : aucune tolérance ne peut garantir où sera l’objet dans { $seconds } s.
-    .step = Les erreurs croissent × { $factor } en une seconde : aucun pas de temps ne peut garantir où sera l’objet dans { $seconds } s.
+    .grow = Les erreurs croissent d’un facteur { $factor } en une seconde : un pas de temps plus court les réduit.
+session-errors-lost = Les erreurs croissent d’un facteur { $factor } en une seconde : aucune tolérance ne peut garantir où sera l’objet dans { $seconds } s.
+    .step = Les erreurs croissent d’un facteur { $factor } en une seconde : aucun pas de temps ne peut garantir où sera l’objet dans { $seconds } s.
 
 session-plot-many = un graphique a de la place pour { $count } grandeurs
 session-plot-units = un graphique a de la place pour deux unités, mais pas pour { $units }
