@@ -79,11 +79,11 @@ race-away = { $who ->
    *[other] { $name } se ha ido en sentido contrario
 }
 race-misfit = { $who ->
-    [first] El tuyo no cabe en este terreno
-    [own] el tuyo no cabe en este terreno
-    [both] ninguno de los dos cabe en este terreno
-    [all] ninguno cabe en este terreno
-   *[other] { $name } no cabe en este terreno
+    [first] El tuyo no encaja en este terreno
+    [own] el tuyo no encaja en este terreno
+    [both] ninguno de los dos encaja en este terreno
+    [all] ninguno encaja en este terreno
+   *[other] { $name } no encaja en este terreno
 }
 race-late = { $who ->
     [first] El tuyo ha necesitado más de { $limit } s
