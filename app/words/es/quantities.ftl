@@ -57,6 +57,6 @@ quantity-energy-changes = cambios
 quantity-energy-fallbacks = pasos de reserva
 quantity-energy-residual = resto
 quantity-stability = estabilidad
-quantity-stability-dt-over-limit = paso de tiempo entre su límite
+quantity-stability-dt-over-limit = paso de tiempo, como parte de su límite
 quantity-ghost = fantasma
 quantity-ghost-distance = distancia

@@ -34,8 +34,8 @@ session-cause-rails = carriles
 
 session-shape = Esta forma no se puede conservar
     .line = { $why }. La línea muestra hacia dónde va.
-    .button = { $why }. El botón «Conservarla, { $times } veces más rígida» lo consigue.
-    .both = { $why }. La línea muestra hacia dónde va. El botón «Conservarla, { $times } veces más rígida» lo consigue.
+    .button = { $why }. El botón «Conservarla, rigidez × { $times }» lo consigue.
+    .both = { $why }. La línea muestra hacia dónde va. El botón «Conservarla, rigidez × { $times }» lo consigue.
     .text = { $why }.
 
 session-back-to = Volver a «{ $scene }»
