@@ -1,6 +1,8 @@
 fit-about = Sayfaya bırakılan bir tablo cismin üzerine çizilir ve sahne ona uydurulabilir. Tablo yapmak için: { $link }.
     .link = Bir videoda ölç
-fit-table = <b>{ $name }</b>: { $count } satır. Her sütun hangi büyüklük?
+fit-table = { $count ->
+   *[other] <b>{ $name }</b>: { $count } satır. Her sütun hangi büyüklük?
+}
 fit-run = Ölçüm dizisi
 fit-column = mass1.x, -mass1.y, 90 - spring0.direction gibi veya bir formül; sütunu atlamak için boş bırak
 fit-scale = Bir metredeki { $unit } sayısı

@@ -1,5 +1,5 @@
-instruments-box = Araçlar
-    .hint = Araçlar: cetvel, açıölçer, kronometre, ışık kapısı
+instruments-box = Ölçme araçları
+    .hint = Ölçme araçları: cetvel, açıölçer, kronometre, ışık kapısı
     .drag = Çizim alanına sürükle, sonra kutuya geri koy
 instruments-ruler = Cetvel
 instruments-protractor = Açıölçer
