@@ -90,8 +90,8 @@ number-holding = الكتل
 number-rest = السكون كما هو الآن
     .hint = تصبح الأطوال الطبيعية والزوايا الطبيعية مساوية للحالية
 number-delete = حذف
-number-position-x = x عند البداية
-number-position-y = y عند البداية
+number-position-x = البداية x
+number-position-y = البداية y
 number-mass = الكتلة
 number-radius = نصف القطر
 number-force-x = القوة x
@@ -298,11 +298,11 @@ done-muscles-spread = { $count ->
 }
 done-springs-critically-damped = { $count ->
     [zero] تخميد حرج دون نوابض
-    [one] تخميد حرج يشمل نابض واحد
-    [two] تخميد حرج يشمل نابضين
-    [few] تخميد حرج يشمل { $count } نوابض
-    [many] تخميد حرج يشمل { $count } نابضًا
-   *[other] تخميد حرج يشمل { $count } نابض
+    [one] تخميد حرج: نابض واحد
+    [two] تخميد حرج: نابضان
+    [few] تخميد حرج: { $count } نوابض
+    [many] تخميد حرج: { $count } نابضًا
+   *[other] تخميد حرج: { $count } نابض
 }
 done-triangulated-springs-added = { $count ->
     [zero] تقسيم إلى مثلثات دون إضافة نوابض

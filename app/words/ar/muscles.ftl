@@ -1,22 +1,8 @@
 muscles-strip = العضلات
 muscles-how = اسحب علامة إلى الجانب: متى تتحرك. إلى الأعلى أو الأسفل: بأي مقدار.
 muscles-kinds = ما يُحرَّك
-    .groups = { $count ->
-    [zero] لا مجموعات
-    [one] مجموعة واحدة
-    [two] مجموعتان
-    [few] { $count } مجموعات
-    [many] { $count } مجموعة
-   *[other] { $count } مجموعة
-}
-    .muscles = { $count ->
-    [zero] لا عضلات
-    [one] عضلة واحدة
-    [two] عضلتان
-    [few] { $count } عضلات
-    [many] { $count } عضلة
-   *[other] { $count } عضلة
-}
+    .groups = المجموعات: { $count }
+    .muscles = العضلات: { $count }
 muscles-selected = { $count ->
     [zero] لا عضلات محددة
     [one] عضلة واحدة محددة
