@@ -20,8 +20,8 @@ from pathlib import Path
 
 from babel.lists import format_list
 from babel.numbers import format_decimal, get_decimal_symbol
-from fluent.runtime import FluentBundle, FluentResource
-from fluent.syntax import FluentParser, ast, serialize
+from fluent.runtime import FluentBundle
+from fluent.syntax import FluentParser, ast
 from fluent.syntax.serializer import FluentSerializer
 from fluent.syntax.visitor import Transformer
 
@@ -37,6 +37,7 @@ _FOLDER = Path(__file__).parent
 _KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')
 _PLACE = re.compile(r"\{say ([a-z0-9-]+)((?:\.[a-z]+)?)\}")
 _RANGE = re.compile(r"\s*([A-Za-z]{1,8}(?:-[A-Za-z0-9]{1,8})*|\*)\s*(?:;\s*q\s*=\s*([0-9.]{1,5}))?\s*")
+_NAMED = re.compile(r"^language-(name|direction) = (.+)$", re.MULTILINE)
 _VALUE = re.compile(r"\{ \$([A-Za-z]+)")
 _ACCENTS = str.maketrans("aceinouyACDEINOSUYZdgklrstz", "àçéîñöüýÀÇÐÉÎÑÖŠÛÝŽðğķļŕšťž")
 
@@ -60,10 +61,15 @@ class Language:
 
 @cache
 def languages() -> dict[str, Language]:
-    """The languages by their tags, English first."""
-    tags = sorted(path.parent.name for path in _FOLDER.glob("*/language.ftl"))
-    tags.sort(key=ENGLISH.__ne__)
-    return {tag: Language(tag, _text(tag, "language-name"), _text(tag, "language-direction")) for tag in tags}
+    """The languages by their tags, English first.
+
+    All other files are read when somebody speaks a language: that takes some tenths of a second for each.
+    """
+    found = {}
+    for path in sorted(_FOLDER.glob("*/language.ftl"), key=lambda path: (path.parent.name != ENGLISH, path)):
+        told, tag = dict(_NAMED.findall(path.read_text(encoding="utf-8"))), path.parent.name
+        found[tag] = Language(tag, told["name"], told.get("direction", "ltr"))
+    return found
 
 
 def choose(asked: str, accepted: str = "") -> str:
@@ -206,10 +212,9 @@ def _messages(tag: str) -> dict[str, ast.Message]:
 @cache
 def _bundle(tag: str) -> FluentBundle:
     # Marks around what stands in a text's places, which keep its direction, matter where directions mix.
-    entry = entries(tag).get("language-direction")
-    mixes = entry is not None and "rtl" in serialize(ast.Resource([entry]))
+    mixes = tag in languages() and languages()[tag].direction == "rtl"
     bundle = FluentBundle([tag], use_isolating=mixes)
-    bundle.add_resource(FluentResource(serialize(ast.Resource(list(_messages(tag).values())))))
+    bundle.add_resource(ast.Resource(list(_messages(tag).values())))
     return bundle
 
 
