@@ -33,7 +33,7 @@ ENGLISH = "en"
 PSEUDO = "en-XA"
 """English with accents and longer words. What stays plain is said by no message; what is cut has no room."""
 
-_FOLDER = Path(__file__).parent
+FOLDER = Path(__file__).parent
 _KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')
 _PLACE = re.compile(r"\{say ([a-z0-9-]+)((?:\.[a-z]+)?)\}")
 _RANGE = re.compile(r"\s*([A-Za-z]{1,8}(?:-[A-Za-z0-9]{1,8})*|\*)\s*(?:;\s*q\s*=\s*([0-9.]{1,5}))?\s*")
@@ -66,7 +66,7 @@ def languages() -> dict[str, Language]:
     All other files are read when somebody speaks a language: that takes some tenths of a second for each.
     """
     found = {}
-    for path in sorted(_FOLDER.glob("*/language.ftl"), key=lambda path: (path.parent.name != ENGLISH, path)):
+    for path in sorted(FOLDER.glob("*/language.ftl"), key=lambda path: (path.parent.name != ENGLISH, path)):
         told, tag = dict(_NAMED.findall(path.read_text(encoding="utf-8"))), path.parent.name
         found[tag] = Language(tag, told["name"], told.get("direction", "ltr"))
     return found
@@ -128,7 +128,7 @@ def say(key: Key, **values: str | float) -> str:
 def find(key: str, otherwise: str = "") -> str:
     """A text without places, by a key that is made of a name; something else where there is no such text."""
     name, _, attribute = key.partition(".")
-    entry = _messages(_now.get()).get(name)
+    entry = messages(_now.get()).get(name)
     there = entry.value is not None if entry else False
     if entry and attribute:
         there = any(each.id.name == attribute for each in entry.attributes)
@@ -157,7 +157,7 @@ def _locale(tag: str) -> str:
 
 
 def _text(tag: str, key: str, **values: str | float) -> str:
-    bundle, (name, _, attribute) = _bundle(tag), key.partition(".")
+    bundle, (name, _, attribute) = bundle_of(tag), key.partition(".")
     message = bundle.get_message(name)
     pattern = message.attributes[attribute] if attribute else message.value
     assert pattern is not None, f"{key} has no text"
@@ -175,7 +175,7 @@ def entries(tag: str) -> dict[str, ast.Message]:
     found: dict[str, ast.Message] = {}
     if tag == PSEUDO:
         return {name: Pseudo().visit(entry.clone()) for name, entry in entries(ENGLISH).items()}
-    for path in sorted((_FOLDER / tag).glob("*.ftl")):
+    for path in sorted((FOLDER / tag).glob("*.ftl")):
         for entry in FluentParser(with_spans=False).parse(path.read_text(encoding="utf-8")).body:
             if isinstance(entry, ast.Junk):
                 raise ValueError(f"{path.name} of {tag}: {entry.annotations[0].message} in {entry.content!r}")
@@ -197,7 +197,7 @@ class Pseudo(Transformer):
 
 
 @cache
-def _messages(tag: str) -> dict[str, ast.Message]:
+def messages(tag: str) -> dict[str, ast.Message]:
     """All messages; texts that the language lacks, of whole messages or of their attributes, are English."""
     found = dict(entries(ENGLISH))
     for name, own in entries(tag).items():
@@ -210,11 +210,11 @@ def _messages(tag: str) -> dict[str, ast.Message]:
 
 
 @cache
-def _bundle(tag: str) -> FluentBundle:
+def bundle_of(tag: str) -> FluentBundle:
     # Marks around what stands in a text's places, which keep its direction, matter where directions mix.
     mixes = tag in languages() and languages()[tag].direction == "rtl"
     bundle = FluentBundle([tag], use_isolating=mixes)
-    bundle.add_resource(ast.Resource(list(_messages(tag).values())))
+    bundle.add_resource(ast.Resource(list(messages(tag).values())))
     return bundle
 
 
@@ -222,8 +222,8 @@ def _bundle(tag: str) -> FluentBundle:
 def of_script(script: str, tag: str) -> str:
     """The messages, as Fluent's text, whose keys stand as strings in a script."""
     named = {match[1] for match in _KEY.finditer(script)} & entries(ENGLISH).keys()
-    serializer, messages = FluentSerializer(), _messages(tag)
-    return "".join(serializer.serialize_entry(messages[name]) for name in sorted(named))
+    serializer, all_of = FluentSerializer(), messages(tag)
+    return "".join(serializer.serialize_entry(all_of[name]) for name in sorted(named))
 
 
 def localized(page: str, tag: str, script: str = "") -> str:
@@ -237,7 +237,7 @@ def localized(page: str, tag: str, script: str = "") -> str:
     """
 
     def fill(match: re.Match[str]) -> str:
-        values = _VALUE.findall(FluentSerializer().serialize_entry(_messages(tag)[match[1]]))
+        values = _VALUE.findall(FluentSerializer().serialize_entry(messages(tag)[match[1]]))
         return html.escape(_text(tag, match[1] + match[2], **{name: f"{{{name}}}" for name in values}))
 
     said = _PLACE.sub(fill, page)

@@ -12,6 +12,7 @@ from viser import _messages as viser_messages
 from viser.infra import _infra as viser_infra
 from viser.infra._messages import wire_field_names
 
+from app.classroom.live import Class
 from app.features.measure.panel import MeasurePanel
 from app.gate.gate import Gate
 from app.pages.sandbox.tab import Tab
@@ -27,6 +28,7 @@ from tests.app.panels import page_of
 
 __all__ = [
     "Bare",
+    "fail_to_save",
     "first_plot",
     "guard",
     "only_page",
@@ -53,6 +55,11 @@ def first_plot(panel: MeasurePanel) -> Any:
 def room_of(samples: Samples) -> int:
     """The bytes that the samples of a plot take."""
     return sum(level._room.nbytes for level in samples._levels)
+
+
+def fail_to_save(classroom: Class, error: OSError) -> None:
+    """Have a class fail to save itself."""
+    classroom._report(error)
 
 
 def press(handle: Any, value: object = None) -> None:

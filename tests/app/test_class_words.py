@@ -16,6 +16,7 @@ from app.features.classroom.messages import Desk, Seat, Taken
 from app.words import speaking
 from sim.errors import SettingError
 from tests.app.classrooms import Pupil, Teacher, a_vote
+from tests.app.inside import fail_to_save
 from tests.app.test_room import a_room, an_answer
 
 
@@ -70,7 +71,7 @@ def test_a_doubt_is_said_in_the_language_of_each_desk(classroom: Class) -> None:
 
 def test_what_happens_to_the_class_is_said_in_the_language_of_the_desk(classroom: Class) -> None:
     """Whichever page had the class look for it."""
-    classroom._report(OSError(28, "No space left on device"))
+    fail_to_save(classroom, OSError(28, "No space left on device"))
     with speaking("de"):
         teacher = Teacher(classroom)
         teacher.frame()

@@ -481,6 +481,10 @@ class Desk:
         button = self.page.get_by_role("button", name=name, exact=True)
         return button.and_(self.page.locator(":visible"))
 
+    def chooser(self, title: str) -> Locator:
+        """The panel's button that names the scene and leads to others."""
+        return self.button(f"{title} Choose another scene")
+
     # --------------------------------------------------------------------- the mouse
     def take(self, start: Point) -> None:
         """Point somewhere and press the left button."""

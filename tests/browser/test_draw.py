@@ -67,7 +67,7 @@ def test_every_kind_of_body_opens_and_is_drawn(open_page: OpenPage) -> None:
         start = Picture.at_start(scene).positions
         all_held = len(desk.simulation.anchors) == len(start)
         assert (np.abs(desk.simulation.positions - start).max() > 0.5) != all_held
-        desk.button(desk.session.scene.title).wait_for()
+        desk.chooser(desk.session.scene.title).wait_for()
 
 
 @pytest.mark.parametrize("phone", [False, True], ids=["desktop", "phone"])

@@ -36,7 +36,7 @@ def said(desk: Desk) -> str:
 
 def test_a_scene_is_found_and_opened_by_keys_alone(open_page: OpenPage) -> None:
     desk = open_page(size=SMALL)
-    chooser = desk.button("Rope (3.3)")
+    chooser = desk.chooser("Rope (3.3)")
     chooser.focus()
     desk.page.keyboard.press("Enter")
     dialog = desk.page.get_by_role("dialog", name="Scenes")
@@ -77,7 +77,7 @@ def test_a_scene_is_found_and_opened_by_keys_alone(open_page: OpenPage) -> None:
     desk.page.keyboard.press("Enter")
     desk.until(lambda: desk.session.scene.name == "flag-pole", "it is opened")
     dialog.wait_for(state="hidden")
-    desk.button("Flag and pole").wait_for()
+    desk.chooser("Flag and pole").wait_for()
     # The keys are the body's now.
     desk.page.keyboard.press("Space")
     desk.until(lambda: not desk.session.playing, "Space pauses")
@@ -180,7 +180,7 @@ def test_over_a_phone_s_canvas_are_the_scene_s_name_and_what_finds_anything(open
     page.get_by_role("button", name="Rod: choose another scene").wait_for()
     page.get_by_role("button", name="Find anything").locator("visible=true").tap()
     page.keyboard.type("bending st")
-    found = page.get_by_role("option")
+    found = page.locator(".softrod-found-row")
     desk.until(lambda: found.count() == 1, "one is found")
     assert found.locator("mark").all_inner_texts() == ["Bending", "st"]
     stiffness = desk.session.scene.angular_springs[0].stiffness

@@ -51,7 +51,7 @@ def test_a_scene_says_which_controls_there_are_while_it_is_shown(open_page: Open
         there = int(names is None)
         desk.until(lambda there=there: desk.button("Instruments").count() == there, "and so the instruments")
     # The page is as before: the channel works, and what is said of the scene.
-    desk.button("Ring").wait_for()
+    desk.chooser("Ring").wait_for()
     desk.page.keyboard.press("Space")
     desk.until(lambda: not desk.session.playing, "Space pauses")
 

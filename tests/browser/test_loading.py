@@ -38,7 +38,7 @@ def test_a_page_says_that_it_is_loading_until_body_and_panel_are_there(
 
     page.goto(serve("ring").url, wait_until="commit")
     expect(page.get_by_role("status").get_by_text("Loading…")).to_be_visible()
-    expect(page.get_by_role("heading", name="softrod")).to_be_visible()
+    expect(page.get_by_role("status").get_by_role("heading", name="softrod")).to_be_visible()
     assert page.title() == "softrod"
     assert page.locator("#root *").count() == 0
     page.wait_for_timeout(300)
@@ -93,7 +93,7 @@ def test_a_page_whose_graphics_are_taken_back_says_so_and_is_loaded_again(open_p
 OF_VISER = """() => {
   const canvas = window.__softrod.canvas();
   const seen = (one) => one.checkVisibility() && one.getBoundingClientRect().width > 0;
-  const isOurs = (one) => one.closest("[class^='softrod-']") !== null;
+  const isOurs = (one) => one.closest("[class^='softrod-']:not(main)") !== null;
   const isCanvas = (one) => one.contains(canvas) || one.matches("canvas[width='0']");
   return [...document.querySelectorAll("#root *, [class*='mantine-'], [data-portal] *")]
     .filter((one) => seen(one) && !isOurs(one) && !isCanvas(one)).map((one) => one.outerHTML.slice(0, 120));

@@ -50,7 +50,7 @@ def test_by_keys_alone(open_page: OpenPage) -> None:
     keys.press("Control+a")
     keys.type("Newton's rope")
     keys.press("Enter")
-    desk.button("Newton's rope").wait_for()
+    desk.chooser("Newton's rope").wait_for()
     desk.until(lambda: has_focus(desk), "the button has the focus again")
     assert form(desk).count() == 0
     assert about.locator("p").inner_text() == f"Mine: {EVIL}"
@@ -59,10 +59,10 @@ def test_by_keys_alone(open_page: OpenPage) -> None:
     assert (scene.name, scene.title) == ("Newton's rope", "")
     # It is one step of undo.
     keys.press("Control+z")
-    desk.button(before.title).wait_for()
+    desk.chooser(before.title).wait_for()
     assert about.locator("p").inner_text() == before.description
     keys.press("Control+y")
-    desk.button("Newton's rope").wait_for()
+    desk.chooser("Newton's rope").wait_for()
     # Another scene is not given what was typed for this one.
     begin(desk)
     desk.tell(commands.Open(sim.load_scene("box")))
