@@ -349,7 +349,8 @@ class Desk:
         It is also saved in the artifacts, if given a name.
         """
         assert self.pixels, "the canvas is drawn by open_page(pixels=True) alone"
-        data = self.page.screenshot(style=None if marks else ":is(.softrod-overlay, .softrod-marks) { visibility: hidden }")
+        hidden = ":is(.softrod-overlay, .softrod-marks) { visibility: hidden }"
+        data = self.page.screenshot(style=None if marks else hidden)
         if save is not None:
             ARTIFACTS.mkdir(exist_ok=True)
             (ARTIFACTS / save).write_bytes(data)
