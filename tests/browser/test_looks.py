@@ -73,7 +73,7 @@ def test_show_all_shows_a_body_that_has_left_the_scene_s_frame(open_page: OpenPa
 def test_a_scene_is_opened_anew(open_page: OpenPage) -> None:
     desk = open_page()
     desk.tell(commands.SetValue("angular_stiffness", 500.0))
-    box, chooser = (box_of(desk.button(name)) for name in ("Open anew", "Rope (3.3)"))
+    box, chooser = map(box_of, (desk.button("Open anew"), desk.chooser("Rope (3.3)")))
     assert box["height"] > 20.0
     assert abs(box["y"] - chooser["y"]) < 4.0
     assert box["x"] > chooser["x"] + chooser["width"]
