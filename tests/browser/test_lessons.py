@@ -87,7 +87,7 @@ def follow(desk: Desk, name: str) -> None:
             assert step.watch in words(desk)
         labels = [label_of(desk, key) for key in step.controls]
         desk.until(lambda labels=labels: sliders(desk) == labels, f"its sliders are {labels}")
-        titles = [text.replace(",", "") for text in step.plots or ()]
+        titles = [text.replace(", ", " ") for text in step.plots or ()]
         desk.until(lambda titles=titles: plots(desk) == titles, f"its plots are {titles}")
         desk.until(lambda: desk.simulation.time > 0.1 or desk.session.offer_back, "it moves, or has exploded")
         press(desk, "Next step" if i + 1 < len(steps(name)) else "Back to step 1")
