@@ -7,7 +7,7 @@ state, and so is what is broken; y is up or down as the scene draws it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -225,20 +225,14 @@ def _shape(masses: int, loops: int, most: int) -> Shape:
     return "ring" if loops == 1 and most == 2 else "net"
 
 
-def _connected(count: int, ends: Iterable[tuple[int, int]]) -> NDArray[np.int64]:
+def _connected(count: int, ends: Sequence[tuple[int, int]]) -> NDArray[np.int64]:
     """(n,) the lowest mass that each is connected with."""
-    part = list(range(count))
+    from scipy.sparse import coo_array  # it loads what a page can begin without
+    from scipy.sparse.csgraph import connected_components
 
-    def root(m: int) -> int:
-        while part[m] != m:
-            part[m] = part[part[m]]
-            m = part[m]
-        return m
-
-    for a, b in ends:
-        low, high = sorted((root(a), root(b)))
-        part[high] = low
-    return np.array([root(m) for m in range(count)])
+    a, b = np.array(ends, int).reshape(-1, 2).T
+    part = connected_components(coo_array((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1]
+    return np.unique(part, return_index=True)[1][part]
 
 
 def _sides(all_of: NDArray[np.complex128], some: NDArray[np.complex128], up: float) -> Iterable[Side]:
