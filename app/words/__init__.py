@@ -188,12 +188,16 @@ def entries(tag: str) -> dict[str, ast.Message]:
 
 
 class Pseudo(Transformer):
-    """Makes a message's text pseudo-English, 40 percent longer."""
+    """Makes a message's text pseudo-English."""
 
     def visit_TextElement(self, node: ast.TextElement) -> ast.TextElement:
-        words = node.value.split(" ")
-        node.value = " ".join(word.translate(_ACCENTS) + "·" * round(0.4 * len(word)) for word in words)
+        node.value = pseudo(node.value)
         return node
+
+
+def pseudo(text: str) -> str:
+    """A text in pseudo-English, 40 percent longer."""
+    return " ".join(word.translate(_ACCENTS) + "·" * round(0.4 * len(word)) for word in text.split(" "))
 
 
 @cache

@@ -11,7 +11,6 @@ import viser
 
 from sim.analysis.curves import CURVES
 from sim.errors import InputError
-from sim.scene.types import shown_name
 from sim.store import files
 
 from ...background import file_worker
@@ -22,6 +21,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...viser_inside import element_id
 from ...words import say
+from ...words.english import name_of
 from ...words.keys import Key
 from . import analysis, plots
 from .messages import Melody
@@ -192,7 +192,7 @@ class _OpenPlot:
         spectra = analysis.draw_spectra(plot, self._span, PICTURE_PIECES) if is_spectrum else None
         drawn = curve(plot, self._span, PICTURE_PIECES)
         fits = tuple(fit.at for fit in self._fits)
-        colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), shown_name(scene)
+        colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), name_of(scene)
 
         def make() -> None:
             from ...export.plot_picture import plot_png, spectrum_png  # matplotlib does not delay the start
