@@ -57,7 +57,9 @@ class Panel {
     this.unfolds.classList.add("softrod-unfold", "softrod-floats");
     this.unfolds.append(make("span", "", say("ui-panel")));
     const head = make("div", "softrod-panel-head");
-    head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, withKey(say("command-palette"), "palette"), openFinder), this.help, this.fold);
+    const brand = make("span", "softrod-brand", "softrod");
+    brand.translate = false;
+    head.append(brand, iconButton(FIND, withKey(say("command-palette"), "palette"), openFinder), this.help, this.fold);
     this.element.append(this.handle, head, this.controls);
     // A phone has these over the canvas instead, where they take nothing from the sliders.
     this.scene = makeButton("", () => perform("gallery"), "softrod-scene softrod-floats");
