@@ -26,6 +26,7 @@ from numpy.typing import NDArray
 from ..errors import InputError
 from ..scene.types import Scene
 from ..scene.validate import validate
+from ..text import Text
 from .estimates import UNKNOWN, Estimate, Identifiability, Series, at_ends, autocorrelated
 from .measurements import Measurement, read_measurements
 from .residuals import Problem
@@ -94,7 +95,7 @@ class Fit:
             InputError: n is out of range.
         """
         if not 0 <= n <= 1000:
-            raise InputError(f"draws: {n} is not in the range 0..1000")
+            raise InputError(Text("{where}: {n} is not in the range 0..1000", where="draws", n=n))
         random = np.random.default_rng(seed)
         scatter = random.standard_normal((n, self._spread.shape[0])) @ self._spread
         return [self._draw(by) for by in scatter]
@@ -138,7 +139,7 @@ def fit(
     for each in every:
         tables += [each] if isinstance(each, Measurement) else read_measurements(each)
     if not tables:
-        raise InputError("fit: name at least one file of what was measured")
+        raise InputError(Text("{where}: name at least one file of what was measured", where="fit"))
     problem = Problem(scene, tables, list(vary), match, scale)
     return _Search(problem, progress).found()
 
@@ -175,7 +176,11 @@ class _Search:
             if run is None:
                 formulas = any(q.formula for q in problem.tables[t].quantities)
                 what = "runs away, or a formula has no value," if formulas else "runs away, as it is,"
-                raise InputError(f"fit: the scene {what} within the time that was measured")
+                raise InputError(
+                    Text(
+                        "{where}: the scene {what} within the time that was measured", where="fit", what=what
+                    )
+                )
             # A column that hardly changes must not outweigh all others.
             off = np.sqrt(np.nanmean((problem.tables[t].measured - run) ** 2, axis=1))
             self._noise[t] = np.maximum(self._noise[t], _FAR * off)

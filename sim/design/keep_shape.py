@@ -18,6 +18,7 @@ from ..motion.moment import Moment
 from ..scene.parts import AngularSpring
 from ..scene.types import Pose, Scene
 from ..scene.validate import validate
+from ..text import Text
 from .statics import Bools, Floats, Indices, Statics, Touch, Vectors
 
 # Unless noted, doubling or halving one of these numbers fails no test.
@@ -280,7 +281,9 @@ def _stiff_enough(
         low, high = high, 2.0 * high
         made = _standing(scene, statics, x, high)
     if made is None:
-        raise DesignError(f"it would buckle at mass {_most_moved(shape)}, however stiff it is", shape)
+        raise DesignError(
+            Text("it would buckle at mass {mass}, however stiff it is", mass=_most_moved(shape)), shape
+        )
     while high > _FINE * low:
         middle = math.sqrt(low * high)
         stands = _standing(scene, statics, x, middle)
@@ -288,7 +291,11 @@ def _stiff_enough(
     if allowed:
         return made
     raise DesignError(
-        f"it would buckle at mass {_most_moved(shape)}; with {high:.3g} times the stiffness it stands",
+        Text(
+            "it would buckle at mass {mass}; with {high:.3g} times the stiffness it stands",
+            mass=_most_moved(shape),
+            high=high,
+        ),
         shape,
         high,
     )

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from ..errors import InputError
 from ..motion.quantities import COUNTED, Quantity, quantity
 from ..scene.types import Scene
+from ..text import Text
 from .measurements import Column, Measurement
 from .units import Unit, known_scale, unit_of
 
@@ -87,8 +88,12 @@ def matched(
     if not found:
         known = ", ".join(column.name for column in measurement.columns) or "none"
         raise InputError(
-            f"{measurement.name}: say which quantity each column is; of its columns ({known}) none tells it "
-            "by its name"
+            Text(
+                "{measurement}: say which quantity each column is; of its columns ({known}) "
+                "none tells it by its name",
+                measurement=measurement.name,
+                known=known,
+            )
         )
     return tuple(found)
 
@@ -100,10 +105,10 @@ def _match(measurement: Measurement, column: Column, text: str, scene: Scene) ->
     try:
         found = quantity(name, scene)
         if found.kind.of == "mass" and found.index in {anchor.mass for anchor in scene.anchors}:
-            raise InputError(f"mass {found.index} is held, so that it tells nothing")
+            raise InputError(Text("mass {mass} is held, so that it tells nothing", mass=found.index))
         unit = unit_of(column.unit, found.kind.unit, scene.view.unit)
     except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+        raise InputError(Text("{where}: {error}", where=where, error=str(error))) from None
     return Match(
         column,
         found,

@@ -18,6 +18,7 @@ from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS
 from ..solve.registry import METHODS
+from ..text import Text
 from .circles import all_are_angles, other_radius, rods_to_anchors
 from .estimates import Estimate, plus_minus
 from .matching import Match, matched
@@ -63,13 +64,21 @@ class _Table:
         self.time = measurement.time - (measurement.time[0] if from_first else 0.0)
         if not from_first and (measurement.is_absolute or self.time[0] > _LATEST):
             raise InputError(
-                f"{measurement.name}: its clock begins at {measurement.time[0]:.12g} s, and the scene's "
-                "start is 0 s; vary start, and the first row is it"
+                Text(
+                    "{measurement}: its clock begins at {begins:.12g} s, and the scene's start is "
+                    "0 s; vary start, and the first row is it",
+                    measurement=measurement.name,
+                    begins=measurement.time[0],
+                )
             )
         if self.time[0] < 0.0:
             raise InputError(
-                f"{measurement.name}: the time begins at {self.time[0]:g} s, before the scene's start "
-                "at 0 s; vary start, and the first row is it"
+                Text(
+                    "{measurement}: the time begins at {begins:g} s, before the scene's start at 0 "
+                    "s; vary start, and the first row is it",
+                    measurement=measurement.name,
+                    begins=self.time[0],
+                )
             )
         self.measured = np.array([each.column.values for each in matches])  # (columns, rows)
         self.is_angle = np.array([each.quantity.kind.unit == "°" for each in matches])
@@ -130,26 +139,44 @@ class Problem:
         self.unknowns = self._unknowns(scale)
         if len(self.unknowns) > MAX_UNKNOWNS:
             raise InputError(
-                f"vary: {len(self.unknowns)} numbers are too many, {MAX_UNKNOWNS} is the most; start and "
-                "origin are several each"
+                Text(
+                    "{where}: {count} numbers are too many, {most} is the most; start and origin "
+                    "are several each",
+                    where="vary",
+                    count=len(self.unknowns),
+                    most=MAX_UNKNOWNS,
+                )
             )
         count = sum(int((~np.isnan(table.measured)).sum()) for table in self.tables)
         if count <= len(self.unknowns):
             name, sought = self.tables[0].measurement.name, len(self.unknowns)
-            raise InputError(f"{name}: {count} numbers are too few to tell {sought} unknown ones")
+            raise InputError(
+                Text(
+                    "{name}: {count} numbers are too few to tell {sought} unknown ones",
+                    name=name,
+                    count=count,
+                    sought=sought,
+                )
+            )
         self.parameters = [each.parameter for each in self.unknowns]
 
     def _refuse_length(self, scale: float | None, varied: bool) -> None:
         if scale is not None and not (math.isfinite(scale) and scale > 0.0):
-            raise InputError(f"scale: {scale:g} is not a positive number")
+            raise InputError(Text("{where}: {scale:g} is not a positive number", where="scale", scale=scale))
         for table in self.tables:
             for each in table.matches:
                 if each.scale is None and scale is None and not varied:
                     length, where = self.scene.view.unit, f"{table.measurement.name}, column"
                     raise InputError(
-                        f"{where} {each.column.name!r}: it is in {each.column.unit}, but the scene "
-                        f"in {length}; say how many {length} one {each.unit.length} is (scale), or vary "
-                        "length_scale"
+                        Text(
+                            "{where} {column!r}: it is in {unit}, but the scene in {length}; say how many "
+                            "{length} one {measured} is (scale), or vary length_scale",
+                            where=where,
+                            column=each.column.name,
+                            unit=each.column.unit,
+                            length=length,
+                            measured=each.unit.length,
+                        )
                     )
 
     def _unknowns(self, scale: float | None) -> list[_Unknown]:
@@ -159,7 +186,7 @@ class Problem:
         if "length_scale" in self.vary:
             lengths = [m for table in self.tables for m in table.matches if m.scale is None or m.unit.power]
             if not lengths:
-                raise InputError("vary: length_scale: no length was measured")
+                raise InputError(Text("{where}: no length was measured", where="vary: length_scale"))
             unit = f"{self.scene.view.unit}/{lengths[0].unit.length}"
             start = scale or self._guessed_scale()
             found.append(_Unknown(Parameter("length_scale", unit, start, start / 1e3, start * 1e3, True)))
@@ -197,7 +224,13 @@ class Problem:
                 )
                 found.append(_Unknown(made, t, axis))
         if not found:
-            raise InputError(f"vary: origin: {table.measurement.name} has no places of masses")
+            raise InputError(
+                Text(
+                    "{where}: {measurement} has no places of masses",
+                    where="vary: origin",
+                    measurement=table.measurement.name,
+                )
+            )
         return found
 
     def _starts(self, t: int, table: _Table, suffix: str) -> list[_Unknown]:
@@ -227,7 +260,13 @@ class Problem:
                 )
                 found.append(_Unknown(made, t, axis, mass, is_velocity))
         if not found:
-            raise InputError(f"vary: start: {table.measurement.name} has no places of free masses")
+            raise InputError(
+                Text(
+                    "{where}: {measurement} has no places of free masses",
+                    where="vary: start",
+                    measurement=table.measurement.name,
+                )
+            )
         return found
 
     # --------------------------------------------------------------------- the scene and its runs
@@ -463,10 +502,17 @@ def _power_of(unit: str, length: str) -> int:
 
 def _refuse_names(vary: list[str]) -> None:
     if not 1 <= len(vary) <= MAX_VARIED:
-        raise InputError(f"vary: name from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
+        raise InputError(
+            Text(
+                "{where}: name from 1 to {most} numbers that are sought, not {count}",
+                where="vary",
+                most=MAX_VARIED,
+                count=len(vary),
+            )
+        )
     for name in vary:
         if vary.count(name) > 1:
-            raise InputError(f"vary: {name} is named twice")
+            raise InputError(Text("{where}: {name} is named twice", where="vary", name=name))
 
 
 class _Runner:

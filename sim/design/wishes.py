@@ -30,6 +30,7 @@ from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS, moves
 from ..solve.registry import METHODS
+from ..text import Text
 from .calming import Calming
 from .keep_shape import DesignError
 from .sensitivity import AtRest, Change, Floats, by_setting, scaled
@@ -229,20 +230,46 @@ def _refuse_senseless(scene: Scene, wishes: _Wishes, mass: int | None) -> None:
         "dt": (1e-9, 1.0, "s"),
     }
     if not wishes.names:
-        raise InputError(f"set_wishes: nothing is wished; there are {', '.join(ranges)}")
+        raise InputError(
+            Text("{where}: nothing is wished; there are {known}", where="set_wishes", known=", ".join(ranges))
+        )
     for name in wishes.names:
         value, (low, high, unit) = getattr(wishes, name), ranges[name]
         number = isinstance(value, int | float) and not isinstance(value, bool)
         if not (number and low <= value <= high):
-            raise InputError(f"set_wishes: {name} {value} is not in the range {low:g}..{high:g} {unit}")
+            raise InputError(
+                Text(
+                    "{where}: {name} {value} is not in the range {low:g}..{high:g} {unit}",
+                    where="set_wishes",
+                    name=name,
+                    value=value,
+                    low=low,
+                    high=high,
+                    unit=unit,
+                )
+            )
     if mass is not None:
         whole = isinstance(mass, int) and not isinstance(mass, bool)
         if not (whole and 0 <= mass < len(scene.masses)):
-            raise InputError(f"set_wishes: mass {mass} does not exist (0..{len(scene.masses) - 1})")
+            raise InputError(
+                Text(
+                    "{where}: mass {mass} does not exist (0..{last})",
+                    where="set_wishes",
+                    mass=mass,
+                    last=len(scene.masses) - 1,
+                )
+            )
         if any(anchor.mass == mass for anchor in scene.anchors):
-            raise _no(f"mass {mass} is held, so it does not sag")
+            raise _no(Text("mass {mass} is held, so it does not sag", mass=mass))
     if len(scene.masses) > MAX_MASSES:
-        raise InputError(f"set_wishes: {len(scene.masses)} masses are more than {MAX_MASSES}")
+        raise InputError(
+            Text(
+                "{where}: {count} masses are more than {most}",
+                where="set_wishes",
+                count=len(scene.masses),
+                most=MAX_MASSES,
+            )
+        )
 
 
 def _no(sentence: str) -> DesignError:
@@ -306,14 +333,19 @@ class _Search:
             DesignError: gives the reason.
         """
         if not moves(self._scene):
-            raise _no("no mass is free, so nothing moves")
+            raise _no(Text("no mass is free, so nothing moves"))
         if not self._changes:
-            raise _no("no spring has any stiffness")
+            raise _no(Text("no spring has any stiffness"))
         because = f": {self._start.notes[0]}" if self._start.notes else ""
         if self._start.elastic is None and (wishes.frequency is not None or wishes.calm_after is not None):
-            raise _no(f"no springs or joints hold it as it swings, so it has no elastic vibration{because}")
+            raise _no(
+                Text(
+                    "no springs or joints hold it as it swings, so it has no elastic vibration{because}",
+                    because=because,
+                )
+            )
         if wishes.sag is not None and self._start.sag is None:
-            raise _no(f"nothing sags{because or ': nothing pulls it'}")
+            raise _no(Text("nothing sags{XXX}", XXX=because or ": nothing pulls it"))
 
     def best(self, wishes: _Wishes) -> _Trial:
         """Return the trial closest to some wishes; with a taper only if necessary."""

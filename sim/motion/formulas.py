@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from ..errors import InputError
+from ..text import Text
 from .dimensions import DEGREES, PURE, Dimension, read_unit
 
 MAX_LENGTH = 200
@@ -187,7 +188,12 @@ class _Reader:
         if self._next.kind != "end":
             raise self._unexpected()
         if not part.measured:
-            raise InputError(f"{_short(self._text)}: a formula has at least one quantity, such as mass0.x")
+            raise InputError(
+                Text(
+                    "{formula}: a formula has at least one quantity, such as mass0.x",
+                    formula=_short(self._text),
+                )
+            )
         return Formula(part.node, tuple(self._names), part.dimension, part.unwrapped)
 
     # --------------------------------------------------------------------- tokens
@@ -197,7 +203,11 @@ class _Reader:
             match = _TOKEN.match(self._text, at)
             if match is None:
                 sign = self._text[at:].lstrip(" ")[0]
-                raise InputError(f"{_short(self._text)}: {sign!r} has no place in a formula")
+                raise InputError(
+                    Text(
+                        "{formula}: {sign!r} has no place in a formula", formula=_short(self._text), sign=sign
+                    )
+                )
             kind = match.lastgroup or ""
             found.append(_Token(kind, match[kind], match.end() - len(match[0].lstrip(" ")), match.end()))
             at = match.end()
@@ -241,7 +251,13 @@ class _Reader:
                 done = "added" if sign == "+" else "subtracted"
                 hint = "" if PURE not in (left.dimension, right.dimension) else self._hint(left, right)
                 raise InputError(
-                    f"{self._told(left)} and {self._told(right)} cannot be {done}: their units differ{hint}"
+                    Text(
+                        "{left} and {right} cannot be {done}: their units differ{hint}",
+                        left=self._told(left),
+                        right=self._told(right),
+                        done=done,
+                        hint=hint,
+                    )
                 )
             left = self._joined(sign, left.dimension, left, right)._replace(
                 unwrapped=all(part.unwrapped or not part.turns for part in (left, right))
@@ -268,8 +284,11 @@ class _Reader:
         self._depth += 1
         if self._depth > MAX_DEPTH:
             raise InputError(
-                f"{_short(self._text)}: there are more than {MAX_DEPTH} brackets, signs or exponents inside "
-                "each other"
+                Text(
+                    "{formula}: there are more than {most} brackets, signs or exponents inside each other",
+                    formula=_short(self._text),
+                    most=MAX_DEPTH,
+                )
             )
         begin = self._next.begin
         if self._takes("-"):
@@ -287,10 +306,18 @@ class _Reader:
         exponent = self._signed()
         shown = _short(self._text[exponent.begin : exponent.end])
         if exponent.measured or exponent.dimension != PURE:
-            raise InputError(f"the exponent {shown} is not a pure number without a quantity")
+            raise InputError(
+                Text("the exponent {shown} is not a pure number without a quantity", shown=shown)
+            )
         power = Formula(exponent.node, (), PURE, False).value(())
         if not abs(power) <= MAX_EXPONENT or 2.0 * power != round(2.0 * power):
-            raise InputError(f"the exponent {shown} is not a multiple of 1/2 up to {MAX_EXPONENT}")
+            raise InputError(
+                Text(
+                    "the exponent {shown} is not a multiple of 1/2 up to {most}",
+                    shown=shown,
+                    most=MAX_EXPONENT,
+                )
+            )
         try:
             dimension = PURE.times(base.dimension, power)
         except InputError as error:
@@ -326,12 +353,18 @@ class _Reader:
             value, end = value * factor, self._next.end
             self._at += 1
         if not math.isfinite(value):
-            raise InputError(f"{token.text} is not a finite number")
+            raise InputError(Text("{text} is not a finite number", text=token.text))
         return _Part(Number(value), dimension, token.begin, end)
 
     def _function(self, token: _Token) -> _Part:
         if token.text not in _ARGUMENTS:
-            raise InputError(f"{token.text!r} is not a function: there are {', '.join(_ARGUMENTS)}")
+            raise InputError(
+                Text(
+                    "{text!r} is not a function: there are {known}",
+                    text=token.text,
+                    known=", ".join(_ARGUMENTS),
+                )
+            )
         self._at += 1
         parts = [self._sum()]
         while self._takes(","):
@@ -340,18 +373,26 @@ class _Reader:
         name, count = token.text, _ARGUMENTS[token.text]
         if len(parts) != count:
             wanted = "one value" if count == 1 else "two values"
-            raise InputError(f"{name} is of {wanted}, and not of {len(parts)}")
+            raise InputError(
+                Text("{name} is of {wanted}, and not of {count}", name=name, wanted=wanted, count=len(parts))
+            )
         dimension = parts[0].dimension
         if name in ("sin", "cos"):
             if dimension != DEGREES:
                 raise InputError(
-                    f"{name} is of an angle, and not of {self._told(parts[0])}; a number is one as in 30 [°]"
+                    Text(
+                        "{name} is of an angle, and not of {value}; a number is one as in 30 [°]",
+                        name=name,
+                        value=self._told(parts[0]),
+                    )
                 )
             dimension = PURE
         elif name == "atan2":
             if dimension != parts[1].dimension:
                 both = " and ".join(map(self._told, parts))
-                raise InputError(f"atan2 is of two values in the same unit, and not of {both}")
+                raise InputError(
+                    Text("atan2 is of two values in the same unit, and not of {both}", both=both)
+                )
             dimension = DEGREES
         elif name == "sqrt":
             try:

@@ -29,6 +29,7 @@ from ..model.loads import Loads
 from ..model.state import rest_lengths
 from ..model.system import System
 from ..scene.types import Scene
+from ..text import Text
 from .dimensions import Dimension, dimension_of
 from .divergence import Divergence
 from .energy import ENERGY_FIELDS, Energies
@@ -182,7 +183,13 @@ def quantity(name: str, scene: Scene) -> Quantity:
     """
     name = name.strip(" ")
     if len(name) > MAX_LENGTH:
-        raise InputError(f"a quantity is named in at most {MAX_LENGTH} letters, and not in {len(name)}")
+        raise InputError(
+            Text(
+                "a quantity is named in at most {most} letters, and not in {count}",
+                most=MAX_LENGTH,
+                count=len(name),
+            )
+        )
     if not _IS_FORMULA.search(name):
         return _named(name, scene)
     text = re.sub(" +", " ", name)
@@ -208,10 +215,25 @@ def _named(name: str, scene: Scene) -> Quantity:
     kind = KINDS.get((of, what))
     if kind is None:
         meant = did_you_mean(what, PARTS[of])
-        raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}{meant}")
+        raise InputError(
+            Text(
+                "{name!r} is not a quantity: {of} has {known}{meant}",
+                name=name,
+                of=of,
+                known=", ".join(PARTS[of]),
+                meant=meant,
+            )
+        )
     counted, is_some = of in COUNTED, which is not None and which.startswith("[")
     if of != "body" if is_some else counted == (which is None):
-        raise InputError(f"{name!r} is not a quantity: {of} {'needs a' if counted else 'has no'} number")
+        raise InputError(
+            Text(
+                "{name!r} is not a quantity: {of} {XXX} number",
+                name=name,
+                of=of,
+                XXX="needs a" if counted else "has no",
+            )
+        )
     indices: tuple[int, ...] = ()
     whole = of
     if is_some:
@@ -228,7 +250,9 @@ def _named(name: str, scene: Scene) -> Quantity:
 def _check_part(name: str, of: str, index: int, scene: Scene) -> None:
     if index >= (count := COUNTED[of](scene)):
         there = f"(0..{count - 1})" if count else f"(the scene has no {of}s)"
-        raise InputError(f"{name}: {of} {index} does not exist {there}")
+        raise InputError(
+            Text("{name}: {of} {index} does not exist {there}", name=name, of=of, index=index, there=there)
+        )
 
 
 def _some_masses(name: str, which: str, scene: Scene) -> tuple[int, ...]:
@@ -237,11 +261,20 @@ def _some_masses(name: str, which: str, scene: Scene) -> tuple[int, ...]:
     for part in which[1:-1].split(","):
         match = _RANGE.fullmatch(part)
         if match is None:
-            raise InputError(f"{name!r} is not a quantity: masses are named as in body[2,5..7]")
+            raise InputError(
+                Text("{name!r} is not a quantity: masses are named as in body[2,5..7]", name=name)
+            )
         first = int(match[1])
         last = int(match[2] or first)
         if last < first:
-            raise InputError(f"{name!r} is not a quantity: {first}..{last} goes backwards")
+            raise InputError(
+                Text(
+                    "{name!r} is not a quantity: {first}..{last} goes backwards",
+                    name=name,
+                    first=first,
+                    last=last,
+                )
+            )
         _check_part(name, "mass", last, scene)
         found.update(range(first, last + 1))
     return tuple(sorted(found))
