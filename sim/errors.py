@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from typing import Literal
 
 from .text import Text
 
@@ -51,26 +52,38 @@ def out_of_range(where: str, value: object, low: object, high: object, unit: str
     )
 
 
-def short(value: float) -> Text:
-    """Return a number with six digits at most."""
-    return Text("{value:g}", value=value)
+Part = Literal["mass", "spring", "joint", "wall"]
+"""A kind of part."""
 
 
-def no_mass(where: str, mass: int, count: int) -> Text:
-    """Return the sentence for the number of a mass that does not exist."""
-    return Text("{where}: mass {mass} does not exist ({span})", where=where, mass=mass, span=span(count))
+def no_part(what: Part, index: int, count: int) -> Text:
+    """Return the sentence for the number of a part that does not exist, of which there are some others."""
+    there = span(count)
+    match what:
+        case "mass":
+            return Text("mass {index} does not exist ({span})", index=index, span=there)
+        case "spring":
+            return Text("spring {index} does not exist ({span})", index=index, span=there)
+        case "joint":
+            return Text("joint {index} does not exist ({span})", index=index, span=there)
+        case "wall":
+            return Text("wall {index} does not exist ({span})", index=index, span=there)
 
 
-def no_spring(where: str, spring: int, count: int) -> Text:
-    """Return the sentence for the number of a spring that does not exist."""
-    return Text(
-        "{where}: spring {spring} does not exist ({span})", where=where, spring=spring, span=span(count)
-    )
+def no_part_of_scene(what: Part, index: int, count: int) -> Text:
+    """Return the same sentence, with other words for a scene that has no such part."""
+    match what:
+        case "spring" if not count:
+            return Text("spring {index} does not exist (the scene has no springs)", index=index)
+        case "joint" if not count:
+            return Text("joint {index} does not exist (the scene has no joints)", index=index)
+        case _:
+            return no_part(what, index, count)
 
 
-def no_wall(where: str, wall: int, count: int) -> Text:
-    """Return the sentence for the number of a wall that does not exist."""
-    return Text("{where}: wall {wall} does not exist ({span})", where=where, wall=wall, span=span(count))
+def of_field(where: str, sentence: str) -> Text:
+    """Return a sentence with the field that it is about before it."""
+    return Text("{where}: {error}", where=where, error=sentence)
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

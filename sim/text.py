@@ -6,6 +6,7 @@ whole sentence, or a name; what stands in it may be a text again.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Self
 
 
@@ -39,3 +40,24 @@ class Text(str):
 
     def __getnewargs_ex__(self) -> tuple[tuple[str], dict[str, object]]:
         return (self.template,), self.parts
+
+
+def number(value: float, form: str = "g") -> Text:
+    """Return a number as `format` writes it."""
+    return Text(f"{{value:{form}}}", value=value)
+
+
+def with_unit(value: str, unit: str) -> str:
+    """Return a number with its unit, if it has one."""
+    return Text("{value} {unit}", value=value, unit=unit) if unit else value
+
+
+def listed(items: Sequence[str]) -> str:
+    """Return some texts as a list, as in "a, b and c"."""
+    *others, last = items
+    if not others:
+        return last
+    several = others[0]
+    for each in others[1:]:
+        several = Text("{several}, {last}", several=several, last=each)
+    return Text("{several} and {last}", several=several, last=last)

@@ -23,7 +23,7 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..text import Text
@@ -174,20 +174,20 @@ class _Search:
         first = np.clip(problem.first(), self._low, self._high)
         for t, run in enumerate(problem.fitted(first)):
             if run is None:
-                formulas = any(q.formula for q in problem.tables[t].quantities)
-                what = "runs away, or a formula has no value," if formulas else "runs away, as it is,"
-                raise InputError(
-                    Text(
-                        "{where}: the scene {what} within the time that was measured", where="fit", what=what
+                if any(q.formula for q in problem.tables[t].quantities):
+                    why = Text(
+                        "the scene runs away, or a formula has no value, within the time that was measured"
                     )
-                )
+                else:
+                    why = Text("the scene runs away, as it is, within the time that was measured")
+                raise InputError(of_field("fit", why))
             # A column that hardly changes must not outweigh all others.
             off = np.sqrt(np.nanmean((problem.tables[t].measured - run) ** 2, axis=1))
             self._noise[t] = np.maximum(self._noise[t], _FAR * off)
         best, u = np.inf, first
         for number, start in enumerate(self._starts(first), 1):
             for part in _WINDOWS:
-                self._progress(f"start {number}, {part:.0%} of the rows")
+                self._progress(Text("start {number}, {part:.0%} of the rows", number=number, part=part))
                 start = self._down(start, part)
             cost = float((problem.residuals(start, self._noise) ** 2).sum())
             if cost < best * (1.0 - 1e-9):
@@ -196,10 +196,10 @@ class _Search:
                 break
         several = sum(len(table.matches) for table in problem.tables) > 1
         for _ in range(2 if several else 1):
-            self._progress("noise of each column")
+            self._progress(Text("noise of each column"))
             self._noise = self._left_noise(u)
             u = self._down(u, 1.0) if several else u
-        self._progress("what the data tell")
+        self._progress(Text("what the data tell"))
         return self._summed_up(u, first)
 
     def _starts(self, first: Floats) -> Iterator[Floats]:
@@ -218,7 +218,7 @@ class _Search:
                 _ELSEWHERE if p.logarithmic else 0.3 for p in self._problem.parameters if p.spread
             ]
             every.append(np.clip(u, self._low, self._high))
-        self._progress("where to begin")
+        self._progress(Text("where to begin"))
         costs = [float((self._problem.residuals(u, self._noise, _WINDOWS[0]) ** 2).sum()) for u in every]
         yield from (every[i] for i in np.argsort(costs)[: _TRIED - 1])
 

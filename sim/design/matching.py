@@ -10,7 +10,7 @@ from ..errors import InputError
 from ..motion.quantities import COUNTED, Quantity, quantity
 from ..scene.types import Scene
 from ..text import Text
-from .measurements import Column, Measurement
+from .measurements import Column, Measurement, of_column
 from .units import Unit, known_scale, unit_of
 
 _EXPRESSION = re.compile(
@@ -86,7 +86,7 @@ def matched(
         if text.strip():
             found.append(_match(measurement, column, text, scene))
     if not found:
-        known = ", ".join(column.name for column in measurement.columns) or "none"
+        known = ", ".join(column.name for column in measurement.columns) or Text("none")
         raise InputError(
             Text(
                 "{measurement}: say which quantity each column is; of its columns ({known}) "
@@ -100,7 +100,6 @@ def matched(
 
 def _match(measurement: Measurement, column: Column, text: str, scene: Scene) -> Match:
     parts = _EXPRESSION.fullmatch(text)
-    where = f"{measurement.name}, column {column.name!r}"
     offset, sign, name = parts.groups() if parts else ("", "", text)
     try:
         found = quantity(name, scene)
@@ -108,7 +107,7 @@ def _match(measurement: Measurement, column: Column, text: str, scene: Scene) ->
             raise InputError(Text("mass {mass} is held, so that it tells nothing", mass=found.index))
         unit = unit_of(column.unit, found.kind.unit, scene.view.unit)
     except InputError as error:
-        raise InputError(Text("{where}: {error}", where=where, error=str(error))) from None
+        raise InputError(of_column(measurement.name, column.name, str(error))) from None
     return Match(
         column,
         found,

@@ -95,6 +95,11 @@ class Measurement:
         )
 
 
+def of_column(file: str, column: str, sentence: str) -> Text:
+    """Return a sentence with the column of a file that it is about before it."""
+    return Text("{file}, column {column!r}: {error}", file=file, column=column, error=sentence)
+
+
 def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
     """Read the table in a file; see `parse_measurements`.
 
@@ -107,7 +112,7 @@ def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
             data = file.read(MAX_BYTES + 1)
     except OSError as error:
         raise InputError(
-            Text("{path}: it cannot be read ({reason})", path=path, reason=error.strerror or error)
+            Text("{path}: it cannot be read ({reason})", path=str(path), reason=error.strerror or str(error))
         ) from None
     return parse_measurements(data, path.name)
 
@@ -132,7 +137,7 @@ def parse_measurements(data: bytes, name: str) -> tuple[Measurement, ...]:
     """
     name = printable(name)
     if len(data) > MAX_BYTES:
-        raise InputError(Text("{name}: it is larger than {most} MB", name=name, most=MAX_BYTES // 1000000))
+        raise InputError(Text("{name}: it is larger than {most} MB", name=name, most=MAX_BYTES // 1_000_000))
     return tuple(_Table(read_grid(data, name), name).measurements())
 
 
@@ -190,20 +195,17 @@ class _Table:
             try:
                 found[filled] = times_of_day([cells[k] for k in filled])
             except ValueError as error:
-                raise InputError(
-                    Text(
-                        "{file}, column {column!r}: {error}",
-                        file=self._name,
-                        column=self._label(i),
-                        error=str(error),
-                    )
-                ) from None
+                raise InputError(of_column(self._name, self._label(i), str(error))) from None
             self._times.add(i)
         elif any(is_number(cells[k]) for k in filled):
             found[filled] = [value_of(cells[k], self._decimal) for k in filled]
         elif filled:
-            kind = "a date without a time" if is_date(cells[filled[0]]) else "no number"
-            self._remarks.append(f"Column {self._label(i)!r} has {kind} and is left out.")
+            label = self._label(i)
+            if is_date(cells[filled[0]]):
+                said = Text("Column {column!r} has a date without a time and is left out.", column=label)
+            else:
+                said = Text("Column {column!r} has no number and is left out.", column=label)
+            self._remarks.append(said)
             return found
         wrong = next((k for k in filled if not math.isfinite(found[k])), None)
         if wrong is not None:
@@ -217,10 +219,15 @@ class _Table:
         return found
 
     def _label(self, i: int) -> str:
-        return self._headings[i].name or f"column {i + 1}"
+        return self._headings[i].name or Text("column {number}", number=i + 1)
 
     def _place(self, row: int, i: int) -> str:
-        return f"{self._name}, line {self._lines[row]}, column {self._label(i)!r}"
+        return Text(
+            "{file}, line {line}, column {column!r}",
+            file=self._name,
+            line=self._lines[row],
+            column=self._label(i),
+        )
 
     def _filled(self) -> list[int]:
         return [i for i, each in enumerate(self._values) if not np.isnan(each).all()]
@@ -277,7 +284,11 @@ class _Table:
             if i not in self._left_out:
                 self._left_out.add(i)
                 self._remarks.append(
-                    f"The time is {self._label(time)!r}; the other clock {self._label(i)!r} is left out."
+                    Text(
+                        "The time is {time!r}; the other clock {column!r} is left out.",
+                        time=self._label(time),
+                        column=self._label(i),
+                    )
                 )
 
     def _first(self, filled: list[int]) -> int:
@@ -286,18 +297,25 @@ class _Table:
         heading = self._headings[i]
         name = heading.name.lower()
         if heading.unit or name in (*_NO_TIMES, *_FRAMES):
-            unit = f" in {heading.unit}" if heading.unit else ""
             raise InputError(
                 Text(
-                    "{file}: no column is called the time, and the first one is {column!r}{unit}; "
+                    "{file}: no column is called the time, and the first one is {column!r} in {unit}; "
                     "call one t (s)",
                     file=self._name,
                     column=heading.name,
-                    unit=unit,
+                    unit=heading.unit,
+                )
+                if heading.unit
+                else Text(
+                    "{file}: no column is called the time, and the first one is {column!r}; call one t (s)",
+                    file=self._name,
+                    column=heading.name,
                 )
             )
         if heading.name:
-            self._remarks.append(f"No column is called the time: {heading.name!r} is taken for it, in s.")
+            self._remarks.append(
+                Text("No column is called the time: {column!r} is taken for it, in s.", column=heading.name)
+            )
         return i
 
     def _unit(self, i: int) -> float | None:

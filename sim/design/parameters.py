@@ -6,12 +6,13 @@ import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import cast
 
 import msgspec
 
 from ..edit.edit import of_parts
 from ..edit.values import NUMBERS, set_number
-from ..errors import InputError, SettingError, did_you_mean
+from ..errors import InputError, Part, SettingError, did_you_mean, no_part_of_scene, of_field
 from ..motion.quantities import quantity
 from ..scene.types import Pose, Scene
 from ..settings import set_value, setting_of
@@ -131,34 +132,31 @@ def _of_part(name: str, scene: Scene, duration: float, of: str, index: int, what
     if what not in numbers:
         also = ["x", "y", "vx", "vy"] if of == "mass" else []
         there = [*numbers, *also]
-        meant = did_you_mean(what, there)
+        meant, known = did_you_mean(what, there), ", ".join(there)
         raise InputError(
-            Text(
-                "{where}: of a {of} there are {known}{meant}",
-                where=f"vary: {name}",
-                of=of,
-                known=", ".join(there),
-                meant=meant,
+            of_field(
+                f"vary: {name}",
+                Text("of a mass there are {known}{meant}", known=known, meant=meant)
+                if of == "mass"
+                else Text("of a spring there are {known}{meant}", known=known, meant=meant)
+                if of == "spring"
+                else Text("of a joint there are {known}{meant}", known=known, meant=meant),
             )
         )
     parts = getattr(scene, _KINDS[of])
     if index >= len(parts):
-        there = f"(0..{len(parts) - 1})" if parts else f"(the scene has no {of}s)"
-        raise InputError(
-            Text(
-                "{where}: {of} {index} does not exist {there}",
-                where=f"vary: {name}",
-                of=of,
-                index=index,
-                there=there,
-            )
-        )
+        raise InputError(of_field(f"vary: {name}", no_part_of_scene(cast(Part, of), index, len(parts))))
     number = numbers[what]
     value = number.of_part(
         of_parts(scene).masses[index] if of == "mass" else getattr(of_parts(scene), _KINDS[of])[index]
     )
     if value is None:
-        raise InputError(Text("{where}: {of} {index} has none", where=f"vary: {name}", of=of, index=index))
+        has_none = (
+            Text("spring {index} has none", index=index)
+            if of == "spring"
+            else Text("joint {index} has none", index=index)
+        )
+        raise InputError(of_field(f"vary: {name}", has_none))
     unit = number.unit.replace("px", scene.view.unit)
     largest = max((number.of_part(part) or 0.0 for part in parts), default=0.0)
 

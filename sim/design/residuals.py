@@ -11,14 +11,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, SceneError, SettingError
+from ..errors import InputError, SceneError, SettingError, of_field
 from ..motion.quantities import Quantity
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS
 from ..solve.registry import METHODS
-from ..text import Text
+from ..text import Text, number, with_unit
 from .circles import all_are_angles, other_radius, rods_to_anchors
 from .estimates import Estimate, plus_minus
 from .matching import Match, matched
@@ -166,12 +166,12 @@ class Problem:
         for table in self.tables:
             for each in table.matches:
                 if each.scale is None and scale is None and not varied:
-                    length, where = self.scene.view.unit, f"{table.measurement.name}, column"
+                    length = self.scene.view.unit
                     raise InputError(
                         Text(
-                            "{where} {column!r}: it is in {unit}, but the scene in {length}; say how many "
-                            "{length} one {measured} is (scale), or vary length_scale",
-                            where=where,
+                            "{file}, column {column!r}: it is in {unit}, but the scene in {length}; say how "
+                            "many {length} one {measured} is (scale), or vary length_scale",
+                            file=table.measurement.name,
                             column=each.column.name,
                             unit=each.column.unit,
                             length=length,
@@ -326,14 +326,24 @@ class Problem:
                 moved = float(np.nanmax(row) - np.nanmin(row)) * self._size_of(match, length)
                 if match.quantity.kind.unit == "{unit}" and 0.0 < moved < _HARDLY * self.size:
                     found.append(
-                        f"{table.measurement.name}: {match.column.name} moves by {moved:.2g} {unit}, in a "
-                        f"body of {self.size:.3g} {unit}; is the scale right?"
+                        Text(
+                            "{file}: {column} moves by {moved:.2g} {unit}, in a body of {size:.3g} {unit}; "
+                            "is the scale right?",
+                            file=table.measurement.name,
+                            column=match.column.name,
+                            moved=moved,
+                            size=self.size,
+                            unit=unit,
+                        )
                     )
         for name in self.vary:
             if name in SETTINGS and SETTINGS[name].differs(self.scene):
                 found.append(
-                    f"{name} is that of parts which differ: it is the largest, and the others keep their "
-                    "ratio to it; a part alone is named as in spring0.stiffness."
+                    Text(
+                        "{name} is that of parts which differ: it is the largest, and the others keep their "
+                        "ratio to it; a part alone is named as in spring0.stiffness.",
+                        name=name,
+                    )
                 )
         return found
 
@@ -344,14 +354,25 @@ class Problem:
         if any(name.endswith("rest_length") or name == "length_scale" for name in self.vary):
             return []
         if sought and all(all_are_angles([q.kind.unit for q in table.quantities]) for table in self.tables):
-            lengths = ", ".join(
-                f"spring{s} of {self.scene.linear_springs[s].rest_length:.4g} {self.scene.view.unit}"
-                for _, s in rods_to_anchors(self.scene)
-            )
+            lengths: str = ""
+            for _, s in rods_to_anchors(self.scene):
+                length = Text(
+                    "{spring} of {length:.4g} {unit}",
+                    spring=f"spring{s}",
+                    length=self.scene.linear_springs[s].rest_length,
+                    unit=self.scene.view.unit,
+                )
+                lengths = Text("{several}, {last}", several=lengths, last=length) if lengths else length
             found.append(
-                "Angles tell gravity over length, and no length: this gravity belongs to "
-                + (lengths or "the scene's own lengths")
-                + "."
+                Text(
+                    "Angles tell gravity over length, and no length: this gravity belongs to {lengths}.",
+                    lengths=lengths,
+                )
+                if lengths
+                else Text(
+                    "Angles tell gravity over length, and no length: this gravity belongs to the scene's own "
+                    "lengths."
+                )
             )
         for t, (table, run) in enumerate(zip(self.tables, self.fitted(u), strict=True)):
             if run is None:
@@ -380,22 +401,40 @@ class Problem:
     def _other_length(self, table: _Table, mass: int, spring: int, measured: float, run: float) -> str:
         unit = self.scene.view.unit
         each = next(m for m in table.matches if m.quantity.name in (f"mass{mass}.x", f"mass{mass}.y"))
+        radius = with_unit(number(measured, ".4g"), unit)
         own = (
-            ""
+            radius
             if each.scale is not None
-            else f" ({measured / self.scale / each.unit.factor:.3g} {each.column.unit})"
+            else Text(
+                "{radius} ({measured:.3g} {unit})",
+                radius=radius,
+                measured=measured / self.scale / each.unit.factor,
+                unit=each.column.unit,
+            )
         )
-        stands = (
-            f" The gravity that is found stands for gravity over length: at {measured:.4g} {unit} it would "
-            f"be {measured / run:.3g} times as large."
-            if "gravity" in self.vary
-            else ""
+        other = Text(
+            "{file}: mass {mass} was measured on a circle with a radius of {measured}, and the scene's is "
+            "{run:.4g} {unit}.",
+            file=table.measurement.name,
+            mass=mass,
+            measured=own,
+            run=run,
+            unit=unit,
         )
-        return (
-            f"{table.measurement.name}: mass {mass} was measured on a circle with a radius of {measured:.4g} "
-            f"{unit}{own}, and the scene's is {run:.4g} {unit}.{stands} Vary spring{spring}.rest_length, "
-            f"too, or give it {measured:.4g} {unit} in the scene."
+        if "gravity" in self.vary:
+            stands = Text(
+                "The gravity that is found stands for gravity over length: at {radius} it would be "
+                "{times:.3g} times as large.",
+                radius=radius,
+                times=measured / run,
+            )
+            other = Text("{first} {then}", first=other, then=stands)
+        vary = Text(
+            "Vary {name}, too, or give it {radius} in the scene.",
+            name=f"spring{spring}.rest_length",
+            radius=radius,
         )
+        return Text("{first} {then}", first=other, then=vary)
 
     def in_units_of_tables(self, values: Sequence[Estimate], u: Floats) -> list[Estimate]:
         """Add to estimates their values in the measurements' unit of length, where that differs."""
@@ -412,7 +451,7 @@ class Problem:
             factor = scale**-power
             also = plus_minus(each.value * factor, each.low * factor, each.high * factor)
             unit = re.sub(rf"(?<!\w){re.escape(own)}(?!\w)", length, each.unit)
-            found.append(replace(each, also=f"{also} {unit}"))
+            found.append(replace(each, also=with_unit(also, unit)))
         return found
 
     def _size_of(self, match: Match, length: float) -> float:
@@ -539,10 +578,20 @@ class _Runner:
         steps = math.ceil(time[-1] / step - 1e-9)
         if steps > MAX_STEPS:
             late = time[0] > float(np.ptp(time))
-            raise InputError(
-                f"fit: {time[-1]:g} s in steps of {step:g} s are {steps} steps, more than {MAX_STEPS}"
-                + (f"; the first row is at {time[0]:g} s: vary start, and it is the start" if late else "")
+            why = Text(
+                "{seconds:g} s in steps of {step:g} s are {steps} steps, more than {most}",
+                seconds=time[-1],
+                step=step,
+                steps=steps,
+                most=MAX_STEPS,
             )
+            if late:
+                why = Text(
+                    "{error}; the first row is at {begins:g} s: vary start, and it is the start",
+                    error=why,
+                    begins=time[0],
+                )
+            raise InputError(of_field("fit", why))
         from scipy.interpolate import CubicSpline
 
         simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))

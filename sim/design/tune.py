@@ -20,7 +20,7 @@ from ..analysis.tuning import (
 )
 from ..edit.edit import Edit, counted, of_parts
 from ..engine.tables import Floats
-from ..errors import InputError, SettingError
+from ..errors import InputError, SettingError, no_part, of_field
 from ..model.system import same_topology
 from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
@@ -127,10 +127,10 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     if high <= low or not _is_calm(capped(low)):
         raise InputError(
             Text(
-                "{where}: at {step:g} s it is not springs and joints that limit the time step, but {XXX}",
+                "{where}: at {step:g} s it is not springs and joints that limit the time step, but {cause}",
                 where="make_stable",
                 step=step,
-                XXX=_cause(capped(low)) or "something else",
+                cause=_cause(capped(low)) or Text("something else"),
             )
         )
     while not calm and high > _CLOSE * low:
@@ -306,14 +306,7 @@ def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
     damping, broken = own.damping.copy(), broken_parts(scene)[0]
     for spring in springs:
         if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < len(softness):
-            raise InputError(
-                Text(
-                    "{where}: spring {spring} does not exist (0..{last})",
-                    where="damp_vibration",
-                    spring=spring,
-                    last=len(softness) - 1,
-                )
-            )
+            raise InputError(of_field("damp_vibration", no_part("spring", spring, len(softness))))
         if spring in broken:
             raise InputError(
                 Text(

@@ -99,8 +99,8 @@ def unit_of(text: str, dimension: str, scene_length: str) -> Unit:
         if length:
             return Unit(dimension, 1.0, length, own.power)
     if found is None or found.dimension != dimension:
-        expected = dimension.format(unit="m") or "a pure number"
-        raise InputError(Text("{text!r} is not a unit of it, as {expected} is", text=text, expected=expected))
+        expected = dimension.format(unit="m") or Text("a pure number")
+        raise InputError(Text("{unit!r} is not a unit of it, as {expected} is", unit=text, expected=expected))
     return found
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import SceneError, span
+from ..errors import Part, SceneError, no_part
 from ..forces.plasticity import leaking
 from ..model.system import joint_stiffness
 from ..motion.moment import Moment
@@ -25,10 +25,6 @@ T = TypeVar("T")
 Ended = TypeVar("Ended", LinearSpring, AngularSpring)
 Map = tuple[int, ...] | None
 """For each part after an edit, its index before, or -1 if it is new; None if no index changed."""
-
-
-Part = Literal["mass", "spring", "joint"]
-"""A kind of part."""
 
 
 class Selection(NamedTuple):
@@ -356,15 +352,7 @@ def refuse_missing(parts: Iterable[int], count: int, what: Part = "mass") -> Non
     """
     for i in parts:
         if not 0 <= i < count:
-            match what:
-                case "mass":
-                    raise SceneError(Text("mass {mass} does not exist ({span})", mass=i, span=span(count)))
-                case "spring":
-                    raise SceneError(
-                        Text("spring {spring} does not exist ({span})", spring=i, span=span(count))
-                    )
-                case "joint":
-                    raise SceneError(Text("joint {joint} does not exist ({span})", joint=i, span=span(count)))
+            raise SceneError(no_part(what, i, count))
 
 
 def counted(count: int, what: str) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from msgspec import UNSET
 from numpy.typing import NDArray
 
-from ..errors import InputError, SceneError, SettingError, no_mass, span
+from ..errors import InputError, SceneError, SettingError, no_part, of_field, span
 from ..motion.quantities import quantity
 from ..scene.lesson import MAX_PULLS, Lead, Lesson, Pull, Reading, RunMuscle, Step, StepRun
 from ..scene.parts import Circle, Mass
@@ -128,17 +128,13 @@ def change_step(scene: Scene, number: int, label: str, **changes: Any) -> Edit:
             try:
                 quantity(reading.quantity, scene)
             except InputError as error:
-                raise SceneError(
-                    Text("{where}: {error}", where=f"{where}.{field}.quantity", error=str(error))
-                ) from None
+                raise SceneError(of_field(f"{where}.{field}.quantity", str(error))) from None
     for i, key in enumerate(changes.get("controls", ())):
         if not (key in CHOICES and CHOICES[key].applies(scene)):
             try:
                 setting_of(scene, key)
             except SettingError as error:
-                raise SceneError(
-                    Text("{where}: {error}", where=f"{where}.controls[{i}]", error=str(error))
-                ) from None
+                raise SceneError(of_field(f"{where}.controls[{i}]", str(error))) from None
     return edit
 
 
@@ -263,7 +259,7 @@ def lead_in_run(scene: Scene, number: int, mass: int, radius: float, frequency: 
     leads = [lead for lead in run.leads if lead.mass != mass]
     where = f"lesson.steps[{number}].run.leads"
     if not 0 <= mass < len(scene.masses):
-        raise SceneError(no_mass(f"{where}.mass", mass, len(scene.masses)))
+        raise SceneError(of_field(f"{where}.mass", no_part("mass", mass, len(scene.masses))))
     if radius != 0.0:
         if len(leads) >= MAX_PULLS:
             raise SceneError(Text("{where}: a run leads {most} masses at most", where=where, most=MAX_PULLS))

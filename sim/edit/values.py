@@ -10,7 +10,7 @@ from typing import Any, Literal
 import msgspec
 import numpy as np
 
-from ..errors import SettingError, out_of_range, short
+from ..errors import Part, SettingError, out_of_range
 from ..forces.muscles import swings
 from ..motion.moment import Moment
 from ..scene.columns import column
@@ -18,8 +18,9 @@ from ..scene.parts import AngularSpring, JointMuscle, LinearSpring, Mass, Motor,
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
 from ..text import Text
+from ..text import number as shown
 from .build import angle_between, positions_of, wrapped_degrees
-from .edit import Edit, Part, Selection, changed, counted, of_parts, refuse_missing
+from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 from .shape import move
 
 Kind = Literal["masses", "linear_springs", "angular_springs"]
@@ -421,7 +422,7 @@ def _refuse_value(of: Number, value: float | None) -> None:
         if not of.optional:
             raise SettingError(Text("{label}: it cannot be left out", label=of.label))
     elif not of.low <= value <= of.high:
-        raise SettingError(out_of_range(of.label, short(value), short(of.low), short(of.high), of.unit))
+        raise SettingError(out_of_range(of.label, shown(value), shown(of.low), shown(of.high), of.unit))
     elif of.whole and value != int(value):
         raise SettingError(Text("{where}: {value:g} is not a whole number", where=of.label, value=value))
 

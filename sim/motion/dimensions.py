@@ -37,13 +37,13 @@ class Dimension(NamedTuple):
         """The dimension of a product with a power of another.
 
         Raises:
-            InputError: a power is no multiple of 1/2, or beyond `HIGHEST`; the message tells it of a unit.
+            InputError: a power is no multiple of 1/2, or beyond `HIGHEST`; the text's `of` says what has it.
         """
         found = [one + power * of for one, of in zip(self, other, strict=True)]
         if any(abs(each) > 2 * HIGHEST for each in found):
-            raise InputError(Text("has a unit with a power beyond {most}", most=HIGHEST))
+            raise InputError(Text("{of} has a unit with a power beyond {most}", of="it", most=HIGHEST))
         if any(each != int(each) for each in found):
-            raise InputError(Text("has a unit with a power that is no multiple of 1/2"))
+            raise InputError(Text("{of} has a unit with a power that is no multiple of 1/2", of="it"))
         return Dimension(*map(int, found))
 
     @property
@@ -96,8 +96,8 @@ def read_unit(text: str, length: str) -> tuple[float, Dimension]:
         known = ", ".join(("kg", length, "s", "°", "deg", "rad", *named))
         raise InputError(
             Text(
-                "{text!r} is not a unit made of {known}, as {length}/s^2 is",
-                text=text,
+                "{unit!r} is not a unit made of {known}, as {length}/s^2 is",
+                unit=text,
                 known=known,
                 length=length,
             )

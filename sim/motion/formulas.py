@@ -229,18 +229,24 @@ class _Reader:
         token = self._next
         before = self._text[: token.begin].rstrip(" ")
         if token.kind == "end":
-            return InputError(f"{_short(self._text)}: something is missing at the end")
-        after = f"after {_short(before, last=True)}" if before else "at the beginning"
-        return InputError(f"{_short(self._text[token.begin : token.end])} is not expected {after}")
+            return InputError(Text("{formula}: something is missing at the end", formula=_short(self._text)))
+        found = _short(self._text[token.begin : token.end])
+        if not before:
+            return InputError(Text("{found} is not expected at the beginning", found=found))
+        return InputError(
+            Text("{found} is not expected after {before}", found=found, before=_short(before, last=True))
+        )
 
     def _told(self, part: _Part) -> str:
         """A part, and its unit."""
-        unit = part.dimension.unit.format(unit=self._length) or "a pure number"
-        return f"{_short(self._text[part.begin : part.end])} ({unit})"
+        unit = part.dimension.unit.format(unit=self._length) or Text("a pure number")
+        return Text("{part} ({unit})", part=_short(self._text[part.begin : part.end]), unit=unit)
 
     def _fails(self, begin: int, error: InputError) -> InputError:
-        """The error of a unit, told of what was read last."""
-        return InputError(f"{_short(self._text[begin : self._tokens[self._at - 1].end])} {error}")
+        """The error of a dimension, told of what was read last."""
+        said = str(error)
+        assert isinstance(said, Text), "it has a place for it"
+        return InputError(said.with_parts(of=_short(self._text[begin : self._tokens[self._at - 1].end])))
 
     # --------------------------------------------------------------------- the grammar
     def _sum(self) -> _Part:
@@ -248,26 +254,26 @@ class _Reader:
         while sign := self._takes("+", "-"):
             right = self._product()
             if left.dimension != right.dimension:
-                done = "added" if sign == "+" else "subtracted"
-                hint = "" if PURE not in (left.dimension, right.dimension) else self._hint(left, right)
-                raise InputError(
-                    Text(
-                        "{left} and {right} cannot be {done}: their units differ{hint}",
-                        left=self._told(left),
-                        right=self._told(right),
-                        done=done,
-                        hint=hint,
+                one, other = self._told(left), self._told(right)
+                if sign == "+":
+                    why = Text("{one} and {other} cannot be added: their units differ", one=one, other=other)
+                else:
+                    why = Text(
+                        "{one} and {other} cannot be subtracted: their units differ", one=one, other=other
                     )
-                )
+                if PURE in (left.dimension, right.dimension):
+                    unit = (left if right.dimension == PURE else right).dimension.unit
+                    why = Text(
+                        "{error}; a number has a unit as in 5 [{unit}]",
+                        error=why,
+                        unit=unit.format(unit=self._length),
+                    )
+                raise InputError(why)
             left = self._joined(sign, left.dimension, left, right)._replace(
                 unwrapped=all(part.unwrapped or not part.turns for part in (left, right))
                 and (left.turns or right.turns)
             )
         return left
-
-    def _hint(self, left: _Part, right: _Part) -> str:
-        unit = (left if right.dimension == PURE else right).dimension.unit.format(unit=self._length)
-        return f"; a number has a unit as in 5 [{unit}]"
 
     def _product(self) -> _Part:
         left = self._signed()
@@ -353,15 +359,15 @@ class _Reader:
             value, end = value * factor, self._next.end
             self._at += 1
         if not math.isfinite(value):
-            raise InputError(Text("{text} is not a finite number", text=token.text))
+            raise InputError(Text("{number} is not a finite number", number=token.text))
         return _Part(Number(value), dimension, token.begin, end)
 
     def _function(self, token: _Token) -> _Part:
         if token.text not in _ARGUMENTS:
             raise InputError(
                 Text(
-                    "{text!r} is not a function: there are {known}",
-                    text=token.text,
+                    "{name!r} is not a function: there are {known}",
+                    name=token.text,
                     known=", ".join(_ARGUMENTS),
                 )
             )
@@ -372,9 +378,11 @@ class _Reader:
         self._close()
         name, count = token.text, _ARGUMENTS[token.text]
         if len(parts) != count:
-            wanted = "one value" if count == 1 else "two values"
+            given = len(parts)
             raise InputError(
-                Text("{name} is of {wanted}, and not of {count}", name=name, wanted=wanted, count=len(parts))
+                Text("{name} is of one value, and not of {count}", name=name, count=given)
+                if count == 1
+                else Text("{name} is of two values, and not of {count}", name=name, count=given)
             )
         dimension = parts[0].dimension
         if name in ("sin", "cos"):
@@ -389,9 +397,13 @@ class _Reader:
             dimension = PURE
         elif name == "atan2":
             if dimension != parts[1].dimension:
-                both = " and ".join(map(self._told, parts))
+                one, other = map(self._told, parts)
                 raise InputError(
-                    Text("atan2 is of two values in the same unit, and not of {both}", both=both)
+                    Text(
+                        "atan2 is of two values in the same unit, and not of {one} and {other}",
+                        one=one,
+                        other=other,
+                    )
                 )
             dimension = DEGREES
         elif name == "sqrt":

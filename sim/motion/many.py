@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.tables import SHORTEST_SQUARED, State
-from ..errors import InputError, SceneError
+from ..errors import InputError, SceneError, of_field
 from ..forces.air import still_air
 from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
@@ -121,7 +121,7 @@ def run_many(scenes: Iterable[Scene], seconds: float, every: int | None = None) 
         try:
             validate(scene)
         except SceneError as error:
-            raise SceneError(Text("{where}: {error}", where=f"scenes[{i}]", error=str(error))) from None
+            raise SceneError(of_field(f"scenes[{i}]", str(error))) from None
         shape = shapes.of(scene)
         if shape is not None:
             groups.setdefault(shape, []).append(i)

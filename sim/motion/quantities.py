@@ -15,13 +15,13 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Protocol, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.tables import State
-from ..errors import InputError, did_you_mean
+from ..errors import InputError, Part, did_you_mean, no_part_of_scene, of_field
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsReference
 from ..forces.springs import SpringsReference
@@ -209,8 +209,12 @@ def _named(name: str, scene: Scene) -> Quantity:
     if of not in PARTS:
         parts = ", ".join(f"{part}0" if part in COUNTED else part for part in PARTS)
         raise InputError(
-            f"{name!r} is not a quantity: it begins with one of {parts}, and then a point"
-            + did_you_mean(of, PARTS)
+            Text(
+                "{name!r} is not a quantity: it begins with one of {parts}, and then a point{meant}",
+                name=name,
+                parts=parts,
+                meant=did_you_mean(of, PARTS),
+            )
         )
     kind = KINDS.get((of, what))
     if kind is None:
@@ -227,12 +231,9 @@ def _named(name: str, scene: Scene) -> Quantity:
     counted, is_some = of in COUNTED, which is not None and which.startswith("[")
     if of != "body" if is_some else counted == (which is None):
         raise InputError(
-            Text(
-                "{name!r} is not a quantity: {of} {XXX} number",
-                name=name,
-                of=of,
-                XXX="needs a" if counted else "has no",
-            )
+            Text("{name!r} is not a quantity: {of} needs a number", name=name, of=of)
+            if counted
+            else Text("{name!r} is not a quantity: {of} has no number", name=name, of=of)
         )
     indices: tuple[int, ...] = ()
     whole = of
@@ -249,10 +250,7 @@ def _named(name: str, scene: Scene) -> Quantity:
 
 def _check_part(name: str, of: str, index: int, scene: Scene) -> None:
     if index >= (count := COUNTED[of](scene)):
-        there = f"(0..{count - 1})" if count else f"(the scene has no {of}s)"
-        raise InputError(
-            Text("{name}: {of} {index} does not exist {there}", name=name, of=of, index=index, there=there)
-        )
+        raise InputError(of_field(name, no_part_of_scene(cast(Part, of), index, count)))
 
 
 def _some_masses(name: str, which: str, scene: Scene) -> tuple[int, ...]:

@@ -14,7 +14,7 @@ from ..compiling.compiler import for_energy, is_ready
 from ..engine.numerics.waves import EFFORTS, SINCE
 from ..engine.numerics.waves import KEYS as PAIRS
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
-from ..errors import InputError
+from ..errors import InputError, no_part
 from ..forces.muscles import efforts
 from ..model.loads import LoadCalculator, Loads
 from ..model.state import Carried, damage_in, grips_of, rest_angles, steer_in
@@ -608,9 +608,7 @@ class Simulation:
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)
         if not (whole and 0 <= mass < self._system.body.masses):
-            raise InputError(
-                Text("mass {mass} does not exist (0..{last})", mass=mass, last=self._system.body.masses - 1)
-            )
+            raise InputError(no_part("mass", mass, self._system.body.masses))
         return int(mass)
 
     def _held_mass(self, mass: int) -> int:

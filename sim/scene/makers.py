@@ -44,14 +44,21 @@ def _maker(recipe: type[AnyRecipe], ordered: int = 0, **usual: Any) -> Callable[
     def make(*in_order: Any, **numbers: Any) -> Scene:
         numbers = {"name": name, **usual, **dict(zip(first, in_order, strict=False)), **numbers}
         if len(in_order) > ordered:
-            but = f", but the first {ordered} need none" if ordered else ""
             fields = recipe.__struct_fields__
             example = "masses" if not ordered and "masses" in fields else fields[ordered]
             raise SceneError(
                 Text(
-                    "{name}: numbers have names{but}, as in sim.{name}({example}={last!r})",
+                    "{name}: numbers have names, but the first {count} need none, as in "
+                    "sim.{name}({example}={last!r})",
                     name=name,
-                    but=but,
+                    count=ordered,
+                    example=example,
+                    last=in_order[-1],
+                )
+                if ordered
+                else Text(
+                    "{name}: numbers have names, as in sim.{name}({example}={last!r})",
+                    name=name,
                     example=example,
                     last=in_order[-1],
                 )

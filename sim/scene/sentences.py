@@ -10,8 +10,8 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 import msgspec
 
-from ..errors import out_of_range, short
-from ..text import Text
+from ..errors import of_field, out_of_range
+from ..text import Text, number
 from .types import Scene
 
 _A = {
@@ -105,8 +105,8 @@ def _out_of_range(where: str, value: float, meta: msgspec.Meta) -> Text:
             high=high,
             unit=unit,
         )
-    shown = short(value) if isinstance(value, float) else value
-    least, most = ("" if end is None else short(end) for end in (low, high))
+    shown = number(value) if isinstance(value, float) else value
+    least, most = ("" if end is None else number(end) for end in (low, high))
     return out_of_range(where, shown, least, most, unit)
 
 
@@ -157,7 +157,7 @@ def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> s
                 count=count,
                 found=_shown(value, found),
             )
-    return Text("{where}: {error}", where=where, error=in_words(reason)) if where else in_words(str(error))
+    return of_field(where, in_words(reason)) if where else in_words(str(error))
 
 
 def in_words(reason: str) -> str:

@@ -14,7 +14,7 @@ from typing import get_type_hints
 
 import msgspec
 
-from ..errors import SceneError, no_mass, no_spring, no_wall, span
+from ..errors import SceneError, no_part, of_field, span
 from ..text import Text
 from .columns import is_set_in_any
 from .lesson import StepRun, texts_of
@@ -216,7 +216,7 @@ def _run_problems(run: StepRun, n: int, where: str) -> Iterator[str]:
         masses = [one.mass for one in moved]
         for i, mass in enumerate(masses):
             if mass >= n:
-                yield no_mass(f"{where}.{field}[{i}].mass", mass, n)
+                yield of_field(f"{where}.{field}[{i}].mass", no_part("mass", mass, n))
             if mass in masses[:i]:
                 twice = f"{where}.{field}[{i}].mass"
                 if field == "pulls":
@@ -259,13 +259,13 @@ def _recipe_problems(scene: Scene) -> Iterator[str]:
     try:
         parts = expand(scene.bodies, scene.links)
     except TooLarge as error:
-        yield Text("{where}: {error}", where="bodies", error=str(error))
+        yield of_field("bodies", str(error))
         return
     n = len(parts.masses)
     for i, link in enumerate(scene.links):
         for end in ("a", "b"):
             if getattr(link, end) >= n:
-                yield no_mass(f"links[{i}].{end}", getattr(link, end), n)
+                yield of_field(f"links[{i}].{end}", no_part("mass", getattr(link, end), n))
                 return
     if any(getattr(scene, field) != part for field, part in zip(BODY_FIELDS, parts, strict=True)):
         yield Text(
@@ -282,7 +282,7 @@ def _linear_problems(scene: Scene, n: int) -> Iterator[str]:
         a, b = spring.a, spring.b
         if a >= n or b >= n:
             end, i = ("a", a) if a >= n else ("b", b)
-            yield no_mass(f"linear_springs[{s}].{end}", i, n)
+            yield of_field(f"linear_springs[{s}].{end}", no_part("mass", i, n))
             return
         if a == b:
             yield Text(
@@ -323,7 +323,7 @@ def _angular_problems(scene: Scene, springs: int) -> Iterator[str]:
         a, b = joint.a, joint.b
         if a >= springs or b >= springs:
             end, s = ("a", a) if a >= springs else ("b", b)
-            yield no_spring(f"angular_springs[{j}].{end}", s, springs)
+            yield of_field(f"angular_springs[{j}].{end}", no_part("spring", s, springs))
             return
         if a == b:
             yield Text(
@@ -401,7 +401,7 @@ def _filling_problems(scene: Scene, n: int) -> Iterator[str]:
         if len(loop) < 3:
             yield Text("{where}: a loop has at least three masses, not {count}", where=where, count=len(loop))
         elif missing is not None:
-            yield no_mass(f"{where}[{loop.index(missing)}]", missing, n)
+            yield of_field(f"{where}[{loop.index(missing)}]", no_part("mass", missing, n))
         elif len(set(loop)) < len(loop):
             twice = next(k for k, i in enumerate(loop) if i in loop[:k])
             yield Text(
@@ -427,7 +427,7 @@ def _anchor_problems(scene: Scene, n: int) -> Iterator[str]:
     driven = None
     for i, anchor in enumerate(scene.anchors):
         if anchor.mass >= n:
-            yield no_mass(f"anchors[{i}].mass", anchor.mass, n)
+            yield of_field(f"anchors[{i}].mass", no_part("mass", anchor.mass, n))
         if anchor.mass in seen:
             yield Text(
                 "{where}: mass {mass} is held by anchor {other} already",
@@ -481,15 +481,15 @@ def _pose_problems(scene: Scene, pose: Pose | None) -> Iterator[str]:
                     )
         for i, spring in enumerate(damage.broken):
             if spring >= springs:
-                yield no_spring(f"pose.damage.broken[{i}]", spring, springs)
+                yield of_field(f"pose.damage.broken[{i}]", no_part("spring", spring, springs))
     if pose.grips is not None:
         for field, of in (("walls", len(scene.walls)), ("springs", len(scene.linear_springs))):
             for i, (index, mass, _) in enumerate(getattr(pose.grips, field)):
                 if index >= of:
-                    no_part = no_wall if field == "walls" else no_spring
-                    yield no_part(f"pose.grips.{field}[{i}]", index, of)
+                    what = "wall" if field == "walls" else "spring"
+                    yield of_field(f"pose.grips.{field}[{i}]", no_part(what, index, of))
                 if mass >= n:
-                    yield no_mass(f"pose.grips.{field}[{i}]", mass, n)
+                    yield of_field(f"pose.grips.{field}[{i}]", no_part("mass", mass, n))
         for i, (wall, mass) in enumerate(pose.grips.sliding or ()):
             if wall >= len(scene.walls) or mass >= n:
                 yield Text(

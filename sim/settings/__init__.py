@@ -14,7 +14,7 @@ from typing import Any, get_args
 
 import msgspec
 
-from ..errors import SceneError, SettingError, did_you_mean, out_of_range, short
+from ..errors import SceneError, SettingError, did_you_mean, of_field, out_of_range
 from ..forces.joints import LAWS
 from ..forces.motors import has_motors
 from ..model.system import joint_stiffness
@@ -39,7 +39,7 @@ from ..scene.types import (
 )
 from ..scene.validate import validate
 from ..solve.registry import METHODS
-from ..text import Text
+from ..text import Text, number
 from .air import with_air_law
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, recipe_settings, settings_of_recipe, turned
@@ -160,13 +160,13 @@ def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
             Text(
                 "{where}: {found} is not one of {known}",
                 where=key,
-                found=short(value),
+                found=number(value),
                 known=", ".join(map(str, TEMPLATES)),
             )
         )
     if not setting.low <= value <= setting.high:
         raise SettingError(
-            out_of_range(key, short(value), short(setting.low), short(setting.high), setting.unit)
+            out_of_range(key, number(value), number(setting.low), number(setting.high), setting.unit)
         )
     if setting.integer and value != int(value):
         raise SettingError(Text("{where}: {value:g} is not a whole number", where=key, value=value))
@@ -176,7 +176,7 @@ def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
             new = msgspec.structs.replace(new, beat=scene.beat.at_tempo(float(value), time))
         return validate(new)
     except SceneError as error:
-        raise SettingError(Text("{where}: {error}", where=key, error=str(error))) from None
+        raise SettingError(of_field(key, str(error))) from None
 
 
 def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
@@ -244,7 +244,7 @@ def _applied(scene: Scene, assignments: Sequence[str], where: str) -> Scene:
         try:
             scene = apply_assignments(scene, (assignment,))
         except SettingError as error:
-            raise SettingError(Text("{where}: {error}", where=f"{where}[{i}]", error=str(error))) from None
+            raise SettingError(of_field(f"{where}[{i}]", str(error))) from None
     return scene
 
 

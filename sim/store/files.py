@@ -20,7 +20,7 @@ from typing import Any
 import msgspec
 import platformdirs
 
-from ..errors import InputError, SceneError, did_you_mean
+from ..errors import InputError, SceneError, did_you_mean, of_field
 from ..scene.numbers import of_python
 from ..scene.sentences import in_words, sentence
 from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
@@ -140,7 +140,7 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
         data = as_utf8(data)
     except UnicodeError as error:
         why = str(error) if places else Text("this is not a JSON file")
-        raise SceneError(Text("{where}: {error}", where=source, error=why)) from None
+        raise SceneError(of_field(source, why)) from None
     try:
         raw = msgspec.json.decode(data)
     except (msgspec.DecodeError, RecursionError) as error:
@@ -148,12 +148,12 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
             why = too_large(number)
         else:
             why = _why_no_json(str(error), data)
-        raise SceneError(Text("{where}: {error}", where=source, error=why)) from None
+        raise SceneError(of_field(source, why)) from None
     if again := repeated_key(data):
         why = Text("the key {key!r} stands twice in one object", key=again[0][:60])
         if places:
             why = Text("{error} ({place})", error=why, place=again[1])
-        raise SceneError(Text("{where}: {error}", where=source, error=why))
+        raise SceneError(of_field(source, why))
     if not isinstance(raw, dict):
         raise SceneError(
             Text("{source}: a scene is a JSON object, with fields such as name and masses", source=source)
@@ -188,7 +188,7 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     path = re.match(r"\w[\w.\[\]]*(?=: )", why)
     if path and places and (place := place_of(data, path[0])):
         why = Text("{error} ({place})", error=why, place=place)
-    raise SceneError(Text("{where}: {error}", where=source, error=why))
+    raise SceneError(of_field(source, why))
 
 
 _NO_NUMBER = re.compile(rb'"(?:[^"\\]|\\.)*"|(-?(?:NaN|Infinity|inf|nan)\b)')
