@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..text import Text
 from .spectrum import spectrum
 
 Floats = NDArray[np.float64]
@@ -99,7 +100,14 @@ def fit_curve(name: str, x: Floats, y: Floats) -> Curve:
     low, reach = (float(x.min()), float(np.ptp(x))) if x.size else (0.0, 0.0)
     least = _count(kind) + SPARE
     if (points := len(np.unique(x))) < least:
-        raise InputError(f"{kind.says} takes {least} points at least, and {points} are in view")
+        raise InputError(
+            Text(
+                "{curve} takes {least} points at least, and {points} are in view",
+                curve=kind.says,
+                least=least,
+                points=points,
+            )
+        )
     size, middle = float(np.ptp(y)), float(y.mean())
     size = size if size > 0.0 else max(abs(middle), 1.0)
     u, v = (x - low) / reach, (y - middle) / size

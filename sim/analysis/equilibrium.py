@@ -25,6 +25,7 @@ from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate
 from ..solve.linear.implicit import factorise_matrix, solve_matrix
+from ..text import Text
 
 # Unless noted, doubling or halving one of these numbers fails no test.
 _MAX_STEPS = 3000
@@ -211,7 +212,15 @@ class StaticModel:
             holds = "only broken springs hold" if np.isin(part[first], part[broken]) else "nothing holds"
             moves = "falls" if any(self.scene.gravity) else "moves away"
             mass = int(self.system.mass_order[first - 1])
-            raise InputError(f"equilibrium: {holds} mass {mass}, so it {moves}")
+            raise InputError(
+                Text(
+                    "{where}: {holds} mass {mass}, so it {moves}",
+                    where="equilibrium",
+                    holds=holds,
+                    mass=mass,
+                    moves=moves,
+                )
+            )
 
     @property
     def _broken(self) -> np.ndarray:
@@ -356,7 +365,14 @@ class StaticModel:
         for s in np.flatnonzero(lengths < 1e-9 * max(self.typical, 1.0)).tolist():
             ends = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
             a, b = sorted(int(self.system.mass_order[slot - 1]) for slot in ends)
-            raise InputError(f"equilibrium: the spring between masses {a} and {b} shrinks to no length")
+            raise InputError(
+                Text(
+                    "{where}: the spring between masses {a} and {b} shrinks to no length",
+                    where="equilibrium",
+                    a=a,
+                    b=b,
+                )
+            )
 
     def overloads(self, q: Floats) -> list[str]:
         """Describe what would break or yield at positions q and at rest, in one sentence for each kind."""
@@ -446,7 +462,12 @@ def _continuation(body: StaticModel) -> Floats:
             if not np.abs(q).max() <= MAX_COORDINATE:
                 creeps = ", and friction that creeps holds nothing that is at rest" if body.creeps else ""
                 raise InputError(
-                    f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{creeps}"
+                    Text(
+                        "{where}: the body would leave ±{most:g} px; nothing stops it{creeps}",
+                        where="equilibrium",
+                        most=MAX_COORDINATE,
+                        creeps=creeps,
+                    )
                 )
             # Finally each step is one of Newton's method, whose second iteration hardly moves.
             calm = max(turned / _MAX_ROTATION, ratio / _CONTRACTION)
@@ -463,8 +484,13 @@ def _continuation(body: StaticModel) -> Floats:
         abs(float(a[worst] / body.state.inverse_mass[index])),
     )
     raise InputError(
-        f"equilibrium: no balance was found in {_MAX_STEPS} steps; {force:.3g} kg px/s² are left at mass "
-        f"{mass}"
+        Text(
+            "{where}: no balance was found in {most} steps; {force:.3g} kg px/s² are left at mass {mass}",
+            where="equilibrium",
+            most=_MAX_STEPS,
+            force=force,
+            mass=mass,
+        )
     )
 
 

@@ -25,6 +25,7 @@ from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..solve.registry import METHODS
+from ..text import Text
 
 # Unless noted, doubling or halving one of these numbers fails no test.
 MANY = 100.0
@@ -187,16 +188,27 @@ def predictability(scene: Scene, duration: float, attempts: int | None = None) -
     """
     if not 0.0 < duration <= _LONGEST_RUN:
         raise InputError(
-            f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s"
+            Text(
+                "{where}: a duration of {duration:g} s is not in the range 0..{most:g} s",
+                where="predictability",
+                duration=duration,
+                most=_LONGEST_RUN,
+            )
         )
     if attempts is None:
         attempts = max(1, _MASS_STEPS // max(1, len(scene.masses)))
     if isinstance(attempts, bool) or not isinstance(attempts, int) or attempts < 1:
-        raise InputError(f"predictability: attempts is {attempts}, but must be a whole number from 1")
+        raise InputError(
+            Text(
+                "{where}: attempts is {attempts}, but must be a whole number from 1",
+                where="predictability",
+                attempts=attempts,
+            )
+        )
     body = Simulation(scene)
     meter = GrowthMeter(body)
     if meter.held:
-        raise InputError("predictability: every mass of the scene is held")
+        raise InputError(Text("{where}: every mass of the scene is held", where="predictability"))
     steps, sample = max(1, round(duration / body.dt)), max(1, round(_SAMPLE / body.dt))
     left = attempts
     while body.step_count < steps and body.divergence is None and left > 0:

@@ -13,6 +13,7 @@ import numpy as np
 from ..engine.tables import Floats, Indices
 from ..errors import InputError
 from ..scene.types import Scene
+from ..text import Text
 from .equilibrium import StaticModel
 
 if TYPE_CHECKING:
@@ -121,9 +122,23 @@ def _checked(scene: Scene, count: int) -> StaticModel:
     body = StaticModel(scene, balanced=False)
     freedoms = _freedoms(body)[1].size
     if not 1 <= count <= freedoms:
-        raise InputError(f"vibrations: {count} is not in the range 1..{freedoms}")
+        raise InputError(
+            Text(
+                "{where}: {count} is not in the range 1..{freedoms}",
+                where="vibrations",
+                count=count,
+                freedoms=freedoms,
+            )
+        )
     if body.tables.masses > MAX_MASSES:
-        raise InputError(f"vibrations: {body.tables.masses} masses are more than {MAX_MASSES}")
+        raise InputError(
+            Text(
+                "{where}: {masses} masses are more than {most}",
+                where="vibrations",
+                masses=body.tables.masses,
+                most=MAX_MASSES,
+            )
+        )
     return body
 
 
