@@ -2,14 +2,15 @@
 
 `uv run python -m tests.words de` says which texts German still lacks, and what is wrong with those that it
 has; without a language it counts those of all. It fails where something is wrong, not where something is
-missing. `uv run python -m tests.words de --write` writes the files of scenes' texts anew: with every English
-text, and nothing where German has none yet.
+missing. `uv run python -m tests.words de --write` writes the files of texts that are known by their English
+anew: with every English text, and nothing where German has none yet.
 """
 
 from __future__ import annotations
 
 import json
 import re
+import string
 import sys
 from collections.abc import Iterator
 from functools import cache
@@ -17,8 +18,9 @@ from functools import cache
 from fluent.syntax import ast
 
 import sim
-from app.words import ENGLISH, FOLDER, entries, languages
-from app.words.english import SCENES, catalogue, files, read
+from app.words import ENGLISH, entries, languages
+from app.words.english import SCENES, SIM, catalogue, files, read
+from app.words.spoken import FOLDER
 from sim.edit.texts import with_texts
 from tests.page.generate import places
 
@@ -60,6 +62,24 @@ def write(tag: str) -> None:
     for name, english in of_scenes().items():
         told = json.dumps({text: has.get(text, "") for text in english}, ensure_ascii=False, indent=1)
         (folder / name).write_text(f"{told}\n", encoding="utf-8")
+    told = json.dumps({text: has.get(text, "") for text in sim_templates()}, ensure_ascii=False, indent=1)
+    (FOLDER / tag / SIM).write_text(f"{told}\n", encoding="utf-8")
+
+
+def wrong_templates(own: dict[str, str]) -> Iterator[str]:
+    """Say what is wrong with a language's sentences of `sim`, a sentence each."""
+    known = set(sim_templates())
+    for english, text in own.items():
+        if english not in known:
+            yield f"{SIM}: {english!r} is no English template"
+        elif text and template_places(text) != template_places(english):
+            yield f"{SIM}: {text!r} has other places than {english!r}"
+
+
+def template_places(template: str) -> list[tuple[str, str, str]]:
+    """The places of a template of `sim.text`, sorted, each with its format and its conversion."""
+    found = string.Formatter().parse(template)
+    return sorted((name, form or "", how or "") for _, name, form, how in found if name is not None)
 
 
 def plain(pattern: ast.Pattern) -> str:
@@ -70,6 +90,7 @@ def plain(pattern: ast.Pattern) -> str:
 def missing(tag: str) -> list[str]:
     """The keys of the texts that a language lacks; of scenes, the English texts."""
     lacking = sorted(texts(ENGLISH).keys() - texts(tag).keys())
+    lacking += [text for text in sim_templates() if text not in catalogue(tag)]
     return lacking + [text for each in of_scenes().values() for text in each if text not in catalogue(tag)]
 
 
@@ -87,6 +108,9 @@ def wrong(tag: str) -> Iterator[str]:
             yield f"{key} has other marks than in English"
     known = {text for each in of_scenes().values() for text in each}
     for path in files(tag):
+        if path.name == SIM:
+            yield from wrong_templates(read(path))
+            continue
         for text in read(path).keys() - known:
             yield f"{SCENES}/{path.name}: no scene has the English text {text!r}"
     if languages()[tag].direction not in ("ltr", "rtl"):

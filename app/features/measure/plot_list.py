@@ -21,7 +21,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...viser_inside import element_id
 from ...words import say
-from ...words.english import name_of
+from ...words.english import name_of, refusal
 from ...words.keys import Key
 from . import analysis, plots
 from .messages import Melody
@@ -325,7 +325,7 @@ class PlotList:
                 raise InputError(say("measure-no-room", count=MAX_PLOTS))
             plot = Plot(spec, self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", say("measure-cannot"), f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot"), refusal(error)))
             return
         self._count += 1
         shown = _OpenPlot(
@@ -377,7 +377,7 @@ class PlotList:
         try:
             plot = Plot(PlotSpec((*spec.names, name), spec.over), self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", say("measure-cannot-add"), f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot-add"), refusal(error)))
             return
         plot.take_over(shown.plot)
         shown.chart.remove()
