@@ -57,7 +57,7 @@ def listed(items: Sequence[str]) -> str:
     *others, last = items
     if not others:
         return last
-    several = others[0]
-    for each in others[1:]:
-        several = Text("{several}, {last}", several=several, last=each)
-    return Text("{several} and {last}", several=several, last=last)
+    one = others[0]
+    for other in others[1:]:
+        one = Text("{one}, {other}", one=one, other=other)
+    return Text("{one} and {other}", one=one, other=last)

@@ -8,12 +8,14 @@ anew: with every English text, and nothing where German has none yet.
 
 from __future__ import annotations
 
+import ast as python
 import json
 import re
 import string
 import sys
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 
 from fluent.syntax import ast
 
@@ -25,6 +27,8 @@ from sim.edit.texts import with_texts
 from tests.page.generate import places
 
 _TAG = re.compile(r"<[a-z/][^>]*>")
+_PLACE = re.compile(r"\{[^{}]*\}")
+_SIM = Path(__file__).parents[1] / "sim"
 
 
 def texts(tag: str) -> dict[str, ast.Pattern]:
@@ -115,6 +119,30 @@ def wrong(tag: str) -> Iterator[str]:
             yield f"{SCENES}/{path.name}: no scene has the English text {text!r}"
     if languages()[tag].direction not in ("ltr", "rtl"):
         yield "language-direction is neither ltr nor rtl"
+
+
+def sim_texts() -> Iterator[tuple[str, python.Call]]:
+    """Yield the file and the call of every text that `sim` makes, in the order of its sources."""
+    for path in sorted(_SIM.rglob("*.py")):
+        calls = [
+            node
+            for node in python.walk(python.parse(path.read_text(encoding="utf-8")))
+            if isinstance(node, python.Call) and isinstance(node.func, python.Name) and node.func.id == "Text"
+        ]
+        for call in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
+            yield path.relative_to(_SIM.parent).as_posix(), call
+
+
+def sim_templates() -> dict[str, str]:
+    """The templates of `sim`'s texts, with the first file that has them; only those with any words."""
+    found: dict[str, str] = {}
+    for path, call in sim_texts():
+        match call.args:
+            case [python.Constant(str(template))] if re.search(r"[^\W\d_]", _PLACE.sub("", template)):
+                found.setdefault(template, path)
+            case _:
+                pass
+    return found
 
 
 def main(arguments: list[str]) -> int:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..compiling.compiler import fetch, for_balance
 from ..engine.tables import Floats, Indices, Matrix
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..forces.all import TERMS, accelerations
 from ..forces.joints import JointsReference
 from ..forces.plasticity import NO_LIMITS
@@ -209,18 +209,17 @@ class StaticModel:
         if falling.size:
             first = falling[np.argmin(self.system.mass_order[falling - 1])]
             broken = np.concatenate((self.tables.spring_a, self.tables.spring_b))[np.tile(self._broken, 2)]
-            holds = "only broken springs hold" if np.isin(part[first], part[broken]) else "nothing holds"
-            moves = "falls" if any(self.scene.gravity) else "moves away"
+            is_broken, falls = bool(np.isin(part[first], part[broken])), any(self.scene.gravity)
             mass = int(self.system.mass_order[first - 1])
-            raise InputError(
-                Text(
-                    "{where}: {holds} mass {mass}, so it {moves}",
-                    where="equilibrium",
-                    holds=holds,
-                    mass=mass,
-                    moves=moves,
-                )
-            )
+            if is_broken and falls:
+                why = Text("only broken springs hold mass {mass}, so it falls", mass=mass)
+            elif is_broken:
+                why = Text("only broken springs hold mass {mass}, so it moves away", mass=mass)
+            elif falls:
+                why = Text("nothing holds mass {mass}, so it falls", mass=mass)
+            else:
+                why = Text("nothing holds mass {mass}, so it moves away", mass=mass)
+            raise InputError(of_field("equilibrium", why))
 
     @property
     def _broken(self) -> np.ndarray:
@@ -366,11 +365,9 @@ class StaticModel:
             ends = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
             a, b = sorted(int(self.system.mass_order[slot - 1]) for slot in ends)
             raise InputError(
-                Text(
-                    "{where}: the spring between masses {a} and {b} shrinks to no length",
-                    where="equilibrium",
-                    a=a,
-                    b=b,
+                of_field(
+                    "equilibrium",
+                    Text("the spring between masses {a} and {b} shrinks to no length", a=a, b=b),
                 )
             )
 
@@ -385,21 +382,25 @@ class StaticModel:
         force = np.abs(SpringsReference(self.tables, state).pulls(x, still))
         torque = np.abs(JointsReference(self.tables, state).torques(x, still))
         ways = (
-            ("spring", springs, "break", force, "strength", limits.breaking, ""),
-            ("spring", springs, "yield", force, "yield force", limits.yielding + state.hardened, ""),
-            ("joint", joints, "yield", torque, "yield torque", limits.bending, "²"),
+            ("breaks", springs, force, limits.breaking),
+            ("yields", springs, force, limits.yielding + state.hardened),
+            ("bends", joints, torque, limits.bending),
         )
-        sentences = []
-        for part, order, verb, load, what, limit, power in ways:
+        sentences: list[str] = []
+        for how, order, load, limit in ways:
             over = np.flatnonzero(load > (1.0 + _OVER) * limit)
-            if not over.size:
-                continue
-            worst = int(over[np.argmax(load[over] / limit[over])])
-            others = f" and {over.size - 1} more" if over.size > 1 else ""
-            sentences.append(
-                f"{part} {int(order[worst])}{others} would {verb} in the pose at rest: {load[worst]:.4g} kg "
-                f"{unit}{power}/s² is more than its {what} of {limit[worst]:.4g}"
-            )
+            if over.size:
+                worst = int(over[np.argmax(load[over] / limit[over])])
+                said = _overload(
+                    how,
+                    bool(over.size > 1),
+                    index=int(order[worst]),
+                    more=int(over.size) - 1,
+                    load=float(load[worst]),
+                    unit=unit,
+                    limit=float(limit[worst]),
+                )
+                sentences.append(said)
         return sentences
 
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
@@ -460,13 +461,16 @@ def _continuation(body: StaticModel) -> Floats:
             body.update_friction_history(q)
             a = body.accelerations(q)
             if not np.abs(q).max() <= MAX_COORDINATE:
-                creeps = ", and friction that creeps holds nothing that is at rest" if body.creeps else ""
                 raise InputError(
-                    Text(
-                        "{where}: the body would leave ±{most:g} px; nothing stops it{creeps}",
-                        where="equilibrium",
-                        most=MAX_COORDINATE,
-                        creeps=creeps,
+                    of_field(
+                        "equilibrium",
+                        Text(
+                            "the body would leave ±{most:g} px; nothing stops it, and friction that creeps "
+                            "holds nothing that is at rest",
+                            most=MAX_COORDINATE,
+                        )
+                        if body.creeps
+                        else Text("the body would leave ±{most:g} px; nothing stops it", most=MAX_COORDINATE),
                     )
                 )
             # Finally each step is one of Newton's method, whose second iteration hardly moves.
@@ -484,12 +488,14 @@ def _continuation(body: StaticModel) -> Floats:
         abs(float(a[worst] / body.state.inverse_mass[index])),
     )
     raise InputError(
-        Text(
-            "{where}: no balance was found in {most} steps; {force:.3g} kg px/s² are left at mass {mass}",
-            where="equilibrium",
-            most=_MAX_STEPS,
-            force=force,
-            mass=mass,
+        of_field(
+            "equilibrium",
+            Text(
+                "no balance was found in {most} steps; {force:.3g} kg px/s² are left at mass {mass}",
+                most=_MAX_STEPS,
+                force=force,
+                mass=mass,
+            ),
         )
     )
 
@@ -549,3 +555,44 @@ def _search(body: StaticModel, q: Floats, a: Floats) -> tuple[float, Floats, Flo
             break
         part *= 0.5
     return shift, to_q, to_a
+
+
+def _overload(how: str, several: bool, **parts: object) -> Text:
+    """Return the sentence for springs or joints that would not stand the load at rest."""
+    match how, several:
+        case "breaks", False:
+            return Text(
+                "spring {index} would break in the pose at rest: {load:.4g} kg {unit}/s² is more than its "
+                "strength of {limit:.4g}",
+                **parts,
+            )
+        case "breaks", True:
+            return Text(
+                "spring {index} and {more} more would break in the pose at rest: {load:.4g} kg {unit}/s² is "
+                "more than its strength of {limit:.4g}",
+                **parts,
+            )
+        case "yields", False:
+            return Text(
+                "spring {index} would yield in the pose at rest: {load:.4g} kg {unit}/s² is more than its "
+                "yield force of {limit:.4g}",
+                **parts,
+            )
+        case "yields", True:
+            return Text(
+                "spring {index} and {more} more would yield in the pose at rest: {load:.4g} kg {unit}/s² is "
+                "more than its yield force of {limit:.4g}",
+                **parts,
+            )
+        case _, False:
+            return Text(
+                "joint {index} would yield in the pose at rest: {load:.4g} kg {unit}²/s² is more than its "
+                "yield torque of {limit:.4g}",
+                **parts,
+            )
+        case _:
+            return Text(
+                "joint {index} and {more} more would yield in the pose at rest: {load:.4g} kg {unit}²/s² is "
+                "more than its yield torque of {limit:.4g}",
+                **parts,
+            )

@@ -20,7 +20,7 @@ from functools import cached_property
 import numpy as np
 
 from ..engine.tables import Floats, Indices
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..forces.all import TERMS
 from ..forces.rails import ways_of
 from ..forces.reference import Physics
@@ -118,20 +118,20 @@ class Modes:
         scene = validate(scene)
         if len(scene.masses) > MAX_MASSES:
             raise InputError(
-                Text(
-                    "{where}: {count} masses are more than {most}",
-                    where="modes",
-                    count=len(scene.masses),
-                    most=MAX_MASSES,
+                of_field(
+                    "modes",
+                    Text("{count} masses are more than {most}", count=len(scene.masses), most=MAX_MASSES),
                 )
             )
         if len(scene.masses) > MAX_TOUCHING and scene.contact is not None:
             raise InputError(
-                Text(
-                    "{where}: a body with contact may have {most} masses, this has {count}",
-                    where="modes",
-                    most=MAX_TOUCHING,
-                    count=len(scene.masses),
+                of_field(
+                    "modes",
+                    Text(
+                        "a body with contact may have {most} masses, this has {count}",
+                        most=MAX_TOUCHING,
+                        count=len(scene.masses),
+                    ),
                 )
             )
         self.scene, found = vibrations_at_rest(scene, count)
@@ -208,19 +208,16 @@ class Modes:
         """
         if not 0 <= mode < self.omega.size:
             raise InputError(
-                Text(
-                    "{where}: there is no mode {mode}; there are {count}",
-                    where="modes",
-                    mode=mode,
-                    count=self.omega.size,
+                of_field(
+                    "modes",
+                    Text("there is no mode {mode}; there are {count}", mode=mode, count=self.omega.size),
                 )
             )
         if not 0.0 <= amplitude < np.inf:
             raise InputError(
-                Text(
-                    "{where}: an amplitude of {amplitude} is not in the range 0.. px",
-                    where="modes",
-                    amplitude=amplitude,
+                of_field(
+                    "modes",
+                    Text("an amplitude of {amplitude} is not in the range 0.. px", amplitude=amplitude),
                 )
             )
         now = self.excitation(moment.positions, moment.velocities)

@@ -154,9 +154,17 @@ class Predictability:
     def stopped(self, attempts: int, duration: float) -> Predictability:
         """Return a copy for a run that used up its attempts before its duration, s."""
         until = float(self.times[-1])
-        ended = f"the {attempts} steps that it may try were used up before {duration:g} s"
-        what = f"until {until:.3g} s, {self.verdict}" if until > 0.0 else "how fast errors grow is not known"
-        return replace(self, verdict=f"{what}; {ended}", complete=False)
+        if until > 0.0:
+            known = Text("until {until:.3g} s, {verdict}", until=until, verdict=self.verdict)
+        else:
+            known = Text("how fast errors grow is not known")
+        said = Text(
+            "{known}; the {attempts} steps that it may try were used up before {duration:g} s",
+            known=known,
+            attempts=attempts,
+            duration=duration,
+        )
+        return replace(self, verdict=said, complete=False)
 
     @property
     def per_second(self) -> float:
@@ -320,12 +328,27 @@ def verdict(scene: Scene, per_second: float) -> str:
     """
     integrator = scene.integrator
     adaptive = METHODS[integrator.method].adaptive
-    grow = "errors do not grow" if per_second < STILL else f"errors grow × {per_second:.2g} in a second"
-    if per_second < MANY:
-        kept = f"a tolerance of {integrator.tolerance:g} {scene.view.unit} is kept"
-        return f"{grow}: {kept if adaptive else 'a shorter time step makes them smaller'}"
-    what = "tolerance" if adaptive else "time step"
-    return f"{grow}: no {what} can promise where it is in {horizon(scene, per_second):.2g} s"
+    if per_second < STILL:
+        grow = Text("errors do not grow")
+    else:
+        grow = Text("errors grow × {factor:.2g} in a second", factor=per_second)
+    if per_second >= MANY:
+        seconds = horizon(scene, per_second)
+        if adaptive:
+            return Text(
+                "{grow}: no tolerance can promise where it is in {seconds:.2g} s", grow=grow, seconds=seconds
+            )
+        return Text(
+            "{grow}: no time step can promise where it is in {seconds:.2g} s", grow=grow, seconds=seconds
+        )
+    if adaptive:
+        return Text(
+            "{grow}: a tolerance of {tolerance:g} {unit} is kept",
+            grow=grow,
+            tolerance=integrator.tolerance,
+            unit=scene.view.unit,
+        )
+    return Text("{grow}: a shorter time step makes them smaller", grow=grow)
 
 
 def _typical_length(scene: Scene) -> float:

@@ -362,7 +362,7 @@ class Problem:
                     length=self.scene.linear_springs[s].rest_length,
                     unit=self.scene.view.unit,
                 )
-                lengths = Text("{several}, {last}", several=lengths, last=length) if lengths else length
+                lengths = Text("{one}, {other}", one=lengths, other=length) if lengths else length
             found.append(
                 Text(
                     "Angles tell gravity over length, and no length: this gravity belongs to {lengths}.",

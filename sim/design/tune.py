@@ -21,10 +21,11 @@ from ..analysis.tuning import (
 from ..edit.edit import Edit, counted, of_parts
 from ..engine.tables import Floats
 from ..errors import InputError, SettingError, no_part, of_field
+from ..forces.words import CAUSES
 from ..model.system import same_topology
 from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
-from ..motion.stability import Cause, limit_at_start
+from ..motion.stability import limit_at_start
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Method, Scene
 from ..scene.validate import number_range, validate
@@ -130,7 +131,7 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
                 "{where}: at {step:g} s it is not springs and joints that limit the time step, but {cause}",
                 where="make_stable",
                 step=step,
-                cause=_cause(capped(low)) or Text("something else"),
+                cause=_cause(capped(low)),
             )
         )
     while not calm and high > _CLOSE * low:
@@ -351,8 +352,9 @@ def _is_calm(scene: Scene) -> bool:
     return limit_at_start(scene, method).limit >= _MARGIN * dt
 
 
-def _cause(scene: Scene) -> Cause | None:
-    return limit_at_start(scene, scene.integrator.method).cause
+def _cause(scene: Scene) -> str:
+    cause = limit_at_start(scene, scene.integrator.method).cause
+    return CAUSES[cause] if cause else Text("something else")
 
 
 def _runs_away(scene: Scene) -> Divergence | None:

@@ -109,7 +109,7 @@ def decode(text: str) -> Fragment:
         fragment = msgspec.json.decode(data, type=Fragment)
     except (msgspec.DecodeError, RecursionError) as error:
         raise SceneError(
-            Text("this cannot be pasted: {reason}", reason=sentence_of_json(error, data, Fragment))
+            Text("this cannot be pasted: {error}", error=sentence_of_json(error, data, Fragment))
         ) from None
     try:
         # As a separate scene, so that any error in it is found.

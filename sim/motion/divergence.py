@@ -9,6 +9,7 @@ from functools import cached_property, partial
 from typing import Literal
 
 from ..engine.tables import State
+from ..forces.words import CAUSES
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
@@ -90,7 +91,7 @@ class Divergence:
                 "time step {dt:.4g} s is above the stability limit {limit:.2g} s, set by the {cause}",
                 dt=self.dt,
                 limit=self.stability.limit,
-                cause=self.stability.cause,
+                cause=CAUSES[self.stability.cause],
             )
         if self.adaptive and self.driven:
             return Text("the tutorial's force law has no energy and can drive a body ever faster")

@@ -135,7 +135,7 @@ def _problems(scene: Scene) -> Iterator[str]:
     if n == 0:
         yield Text("{where}: a scene needs at least one mass, or a recipe in bodies", where="masses")
     if n > MAX_MASSES:
-        yield Text("{where}: {n} masses are more than {most}", where="masses", n=n, most=MAX_MASSES)
+        yield of_field("masses", Text("{count} masses are more than {most}", count=n, most=MAX_MASSES))
     for field in ("linear_springs", "angular_springs"):
         if len(getattr(scene, field)) > MAX_SPRINGS:
             yield Text(
