@@ -13,6 +13,8 @@ export type Words = {
   "access-larger.hint": never;
   "access-still": never;
   "access-still.hint": never;
+  "access-events": never;
+  "access-events.hint": never;
   "access-kept": never;
   "check-title": never;
   "check-heading": never;
@@ -607,6 +609,15 @@ export type Words = {
   "describe-part-torque": "torque";
   "describe-part-bends": "degrees";
   "describe-part-motor": "speed";
+  "news-broke": "count";
+  "news-touched": "by";
+  "news-rest": never;
+  "news-exploded": never;
+  "news-grabbed": "mass";
+  "news-dropped": "mass";
+  "news-running": never;
+  "news-running.paused": never;
+  "news-step": "number" | "title";
   "describe-title": never;
   "describe-close": never;
   "edit-tools": never;

@@ -8,8 +8,9 @@ import time
 import pytest
 
 import sim
-from app.features.describe.messages import Describe, Described
+from app.features.describe.messages import Describe, Described, FollowTouches, Touched
 from app.features.describe.part import of_part
+from app.features.describe.touches import TouchWatch
 from app.features.edit.messages import Select
 from app.features.hands.messages import Grab
 from app.session import commands
@@ -19,9 +20,11 @@ from tests.app.whole import WholePage
 
 
 def said(page: WholePage) -> str:
-    told = page.client.mail.last(Described)
-    assert told is not None
-    return told.text
+    return page.client.mail.last(Described).text
+
+
+def touched(page: WholePage) -> list[Touched]:
+    return [each for each in page.client.mail.sent if isinstance(each, Touched)]
 
 
 def says(page: WholePage, text: str) -> bool:
@@ -86,3 +89,33 @@ def test_muscles_motors_and_forces_are_said() -> None:
     rope.step(100)
     text = of_part(describe_part(rope, rope.scene, "spring", 0), rope.scene)
     assert re.search(r"It is stretched by [\d.]+ %\. It pulls its ends together with [\d.]+ kg px/s²\.", text)
+
+
+def test_a_touch_is_told_once_after_the_body_was_free_and_only_on_demand() -> None:
+    # A mass that falls on a floor, bounces and comes to rest there.
+    floor = sim.Wall(point=(300.0, 500.0), normal=(0.0, -1.0), bounciness=0.5, restitution="constant")
+    scene = sim.Scene(
+        name="ball", masses=(sim.Mass(position=(300.0, 400.0)),), gravity=(0.0, 1000.0), walls=(floor,)
+    )
+    page = WholePage(scene)
+    page.frames(60)
+    assert not touched(page)
+    page.frames(2, commands.Reset())
+    page.frames(600, FollowTouches(on=True))
+    told = touched(page)
+    assert told
+    assert {each.by for each in told} == {"floor"}
+    assert len(told) < 4  # small bounces are no news
+
+
+def test_what_lies_on_a_floor_is_no_news_however_seldom_it_is_looked_at() -> None:
+    floor = sim.Wall(point=(300.0, 500.0), normal=(0.0, -1.0))
+    resting = sim.Simulation(
+        sim.Scene(
+            name="ball", masses=(sim.Mass(position=(300.0, 500.2)),), gravity=(0.0, 500.0), walls=(floor,)
+        )
+    )
+    watch = TouchWatch()
+    for wall in range(20):
+        assert watch.look(resting, 1, -1.0, float(wall)) is None
+        resting.step(200)

@@ -4,6 +4,7 @@ import { chosenMass } from "../../stage/overlay.js";
 import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
+import { speakOfEvents } from "./speaker.js";
 import { say } from "../../words/words.js";
 
 /** The mass beside which a card stands; -1 for none. */
@@ -16,6 +17,7 @@ function describe() {
 }
 
 function begin() {
+  speakOfEvents();
   onMessage("massCard", ({ mass = -1 }) => (read = mass));
   const card = make("section", "softrod-described softrod-floats");
   card.ariaLabel = say("describe-title");

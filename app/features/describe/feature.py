@@ -12,13 +12,14 @@ from sim.scene.types import Scene
 
 from ...session.session import Session
 from ...ui.commands import Row
-from ...ui.feature import Feature
+from ...ui.feature import Drawn, Feature
 from ...ui.page import Page
 from ...ui.queues import threads
 from ...wire.messages import FromPage
-from .messages import Describe, Described
+from .messages import Describe, Described, FollowTouches
 from .paragraph import paragraph, swing_of
 from .part import of_part
+from .touches import TouchWatch
 
 
 def _describe(session: Session, feature: DescribeFeature) -> None:
@@ -28,7 +29,7 @@ def _describe(session: Session, feature: DescribeFeature) -> None:
 class DescribeFeature(Feature):
     """Describes the body of one page."""
 
-    messages: ClassVar = {Describe: ""}
+    messages: ClassVar = {Describe: "", FollowTouches: ""}
     commands: ClassVar = {
         "describe": Row("page", ("D",)),
         "describeBody": Row(_describe, ("Shift D",)),
@@ -37,15 +38,36 @@ class DescribeFeature(Feature):
     def __init__(self, page: Page) -> None:
         super().__init__(page)
         self._before: Description | None = None
+        self._touches: TouchWatch | None = None  # while the page asks for it
 
     def build(self) -> None:
         """See `Feature`."""
         self._before = None
+        self._follow_touches(self._touches is not None)
 
     def hear(self, said: FromPage) -> None:
         """See `Feature`."""
-        if isinstance(said, Describe):
-            self.page.soon(lambda: self._describe(said.mass))
+        match said:
+            case Describe(mass):
+                self.page.soon(lambda: self._describe(mass))
+            case FollowTouches(on):
+                self.page.soon(lambda: self._follow_touches(on))
+            case _:
+                pass
+
+    def frame(self, drawn: Drawn) -> None:
+        """See `Feature`."""
+        if self._touches is None:
+            return
+        simulation = self.session.simulation
+        up = -1.0 if simulation.scene.view.y_down else 1.0
+        told = self._touches.look(simulation, len(simulation.scene.masses), up, drawn.now)
+        if told is not None:
+            self.page.mail.send(told)
+
+    def _follow_touches(self, on: bool) -> None:
+        """Follow the touches of a body from now on, or no longer."""
+        self._touches = TouchWatch() if on else None
 
     def _describe(self, mass: int | None) -> None:
         """Describe what is selected, or a mass, or the body."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from ...wire.messages import Event, FromPage, Index
 
 
@@ -13,6 +15,18 @@ class Describe(FromPage, frozen=True):
     """
 
     mass: Index | None = None
+
+
+class FollowTouches(FromPage, frozen=True):
+    """Say when the body touches something after it was free, or no longer."""
+
+    on: bool
+
+
+class Touched(Event, frozen=True, kw_only=True):
+    """The body touches something after it was free."""
+
+    by: Literal["floor", "wall", "body"]
 
 
 class Described(Event, frozen=True, kw_only=True):

@@ -236,7 +236,7 @@ describe-part-force = { $sense ->
     [pulls] يشد طرفيه أحدهما نحو الآخر
    *[pushes] يدفع طرفيه أحدهما عن الآخر
 } بقوة { $force }.
-describe-part-broken = هو مكسور.
+describe-part-broken = هو مقطوع.
 describe-part-yielded = تشوّه تشوهًا دائمًا.
 describe-part-muscle = هو عضلة تغيّر طوله الطبيعي بنسبة ⁦{ $percent } %⁩ على الأكثر.
 describe-part-joint = المفصل { $joint } عند الكتلة { $mass }، بين النابضين { $one } و{ $other }.
@@ -244,6 +244,27 @@ describe-part-angle = زاويته { $angle }، وزاويته الطبيعية 
 describe-part-torque = عزمه { $torque }.
 describe-part-bends = هو عضلة تغيّر زاويته الطبيعية بمقدار { $degrees } على الأكثر.
 describe-part-motor = يديره محرك بسرعة { $speed } على الأكثر.
+
+news-broke = { $count ->
+    [zero] لم ينقطع أي نابض.
+    [one] انقطع نابض واحد.
+    [two] انقطع نابضان.
+    [few] انقطعت { $count } نوابض.
+    [many] انقطع { $count } نابضًا.
+   *[other] انقطع { $count } نابض.
+}
+news-touched = { $by ->
+    [floor] الجسم يلامس الأرض.
+    [wall] الجسم يلامس جدارًا.
+   *[body] الجسم يلامس جسمًا آخر أو نفسه.
+}
+news-rest = سكن الجسم.
+news-exploded = انفجر الجسم وأُوقف.
+news-grabbed = الكتلة { $mass } في اليد.
+news-dropped = أُفلتت الكتلة { $mass }.
+news-running = يعمل.
+    .paused = متوقف مؤقتًا.
+news-step = الخطوة { $number }: { $title }
 
 describe-title = الوصف
 describe-close = إغلاق الوصف

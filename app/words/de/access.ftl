@@ -10,4 +10,6 @@ access-larger = Größer
     .hint = Alles größer und kräftiger.
 access-still = Weniger Bewegung
     .hint = Wind, Ansichten und Zeichen bewegen sich nicht von selbst. Der Körper bewegt sich, wenn man ihn abspielt.
+access-events = Ereignisse ansagen
+    .hint = Ein Bildschirmleser sagt in wenigen Worten, was geschieht: was reißt, berührt, zur Ruhe kommt, gegriffen oder losgelassen wird. Höchstens ein Satz in zwei Sekunden.
 access-kept = Dieses Gerät merkt sich diese Einstellungen.

@@ -177,5 +177,22 @@ describe-part-torque = Sein Drehmoment ist { $torque }.
 describe-part-bends = Es ist ein Muskel, der seinen Ruhewinkel um bis zu { $degrees } verändert.
 describe-part-motor = Ein Motor dreht es mit bis zu { $speed }.
 
+news-broke = { $count ->
+    [one] Eine Feder ist gerissen.
+   *[other] { $count } Federn sind gerissen.
+}
+news-touched = { $by ->
+    [floor] Der Körper berührt den Boden.
+    [wall] Der Körper berührt eine Wand.
+   *[body] Der Körper berührt einen anderen oder sich selbst.
+}
+news-rest = Der Körper ist zur Ruhe gekommen.
+news-exploded = Der Körper ist explodiert und angehalten.
+news-grabbed = Masse { $mass } ist in der Hand.
+news-dropped = Masse { $mass } ist losgelassen.
+news-running = Läuft.
+    .paused = Pause.
+news-step = Schritt { $number }: { $title }
+
 describe-title = Beschreibung
 describe-close = Beschreibung schließen

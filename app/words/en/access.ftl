@@ -12,4 +12,6 @@ access-larger = Larger
     .hint = Everything larger and bolder.
 access-still = Less motion
     .hint = Wind, views and marks do not move by themselves. The body moves when it is played.
+access-events = Spoken events
+    .hint = A screen reader says in few words what happens: what breaks, touches, comes to rest, is taken or let go. At most one sentence in two seconds.
 access-kept = This device keeps these settings.

@@ -170,5 +170,24 @@ describe-part-torque = Its torque is { $torque }.
 describe-part-bends = It is a muscle, which changes its rest angle by up to { $degrees }.
 describe-part-motor = A motor turns it at up to { $speed }.
 
+# What happens, for a screen reader: one short sentence at a time.
+news-broke = { $count ->
+    [one] One spring broke.
+   *[other] { $count } springs broke.
+}
+news-touched = { $by ->
+    [floor] The body touches the floor.
+    [wall] The body touches a wall.
+   *[body] The body touches another one, or itself.
+}
+news-rest = The body has come to rest.
+news-exploded = The body exploded and is stopped.
+news-grabbed = Mass { $mass } is in hand.
+news-dropped = Mass { $mass } is let go.
+news-running = Running.
+    .paused = Paused.
+# A step of a lesson begins.
+news-step = Step { $number }: { $title }
+
 describe-title = Description
 describe-close = Close the description

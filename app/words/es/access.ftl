@@ -10,4 +10,6 @@ access-larger = Más grande
     .hint = Todo más grande y más marcado.
 access-still = Menos movimiento
     .hint = El viento, las vistas y las marcas no se mueven solos. El cuerpo se mueve cuando se reproduce.
+access-events = Anunciar lo que ocurre
+    .hint = Un lector de pantalla dice en pocas palabras lo que ocurre: lo que se rompe, toca, queda en reposo, se agarra o se suelta. Como mucho una frase cada dos segundos.
 access-kept = Este dispositivo conserva estos ajustes.

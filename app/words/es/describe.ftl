@@ -177,5 +177,22 @@ describe-part-torque = Su momento es de { $torque }.
 describe-part-bends = Es un músculo que cambia su ángulo natural hasta { $degrees }.
 describe-part-motor = Un motor la hace girar a { $speed } como máximo.
 
+news-broke = { $count ->
+    [one] Se ha roto un resorte.
+   *[other] Se han roto { $count } resortes.
+}
+news-touched = { $by ->
+    [floor] El cuerpo toca el suelo.
+    [wall] El cuerpo toca una pared.
+   *[body] El cuerpo toca otro cuerpo o a sí mismo.
+}
+news-rest = El cuerpo ha quedado en reposo.
+news-exploded = El cuerpo ha explotado y está detenido.
+news-grabbed = La masa { $mass } está en la mano.
+news-dropped = Se ha soltado la masa { $mass }.
+news-running = En marcha.
+    .paused = En pausa.
+news-step = Paso { $number }: { $title }
+
 describe-title = Descripción
 describe-close = Cerrar la descripción

@@ -10,4 +10,6 @@ access-larger = Plus grand
     .hint = Tout en plus grand et en plus gras.
 access-still = Moins de mouvement
     .hint = Le vent, les vues et les repères ne bougent pas d’eux-mêmes. L’objet bouge quand on lance la simulation.
+access-events = Annoncer les événements
+    .hint = Un lecteur d’écran dit en peu de mots ce qui se passe : ce qui se casse, touche, s’arrête, est saisi ou lâché. Une phrase au plus toutes les deux secondes.
 access-kept = Cet appareil garde ces réglages.

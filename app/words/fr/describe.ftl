@@ -177,5 +177,22 @@ describe-part-torque = Son couple est de { $torque }.
 describe-part-bends = C’est un muscle, qui fait varier son angle au repos de { $degrees } au plus.
 describe-part-motor = Un moteur la fait tourner à { $speed } au plus.
 
+news-broke = { $count ->
+    [one] Un ressort s’est cassé.
+   *[other] { $count } ressorts se sont cassés.
+}
+news-touched = { $by ->
+    [floor] L’objet touche le sol.
+    [wall] L’objet touche un mur.
+   *[body] L’objet touche un autre objet ou lui-même.
+}
+news-rest = L’objet s’est arrêté.
+news-exploded = L’objet a explosé ; la simulation est arrêtée.
+news-grabbed = La masse { $mass } est en main.
+news-dropped = La masse { $mass } est lâchée.
+news-running = En mouvement.
+    .paused = En pause.
+news-step = Étape { $number } : { $title }
+
 describe-title = Description
 describe-close = Fermer la description

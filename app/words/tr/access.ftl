@@ -10,4 +10,6 @@ access-larger = Daha büyük
     .hint = Her şey daha büyük ve daha kalın.
 access-still = Daha az hareket
     .hint = Rüzgâr, görünümler ve işaretler kendiliğinden hareket etmez. Cisim, oynatılınca hareket eder.
+access-events = Olayları söyle
+    .hint = Ekran okuyucu olanları kısaca söyler: ne koptu, neye değdi, ne durdu, ne tutuldu veya bırakıldı. İki saniyede en çok bir cümle.
 access-kept = Bu cihaz bu ayarları saklar.

@@ -139,5 +139,22 @@ describe-part-torque = Torku { $torque }.
 describe-part-bends = Serbest açısını en çok { $degrees } değiştiren bir kas.
 describe-part-motor = Bir motor onu en çok { $speed } süratle döndürüyor.
 
+news-broke = { $count ->
+    [one] Bir yay koptu.
+   *[other] { $count } yay koptu.
+}
+news-touched = { $by ->
+    [floor] Cisim zemine değiyor.
+    [wall] Cisim bir duvara değiyor.
+   *[body] Cisim başka bir cisme veya kendine değiyor.
+}
+news-rest = Cisim durdu.
+news-exploded = Cisim patladı ve durduruldu.
+news-grabbed = { $mass } numaralı kütle elde.
+news-dropped = { $mass } numaralı kütle bırakıldı.
+news-running = Hareket ediyor.
+    .paused = Duraklatıldı.
+news-step = { $number }. adım: { $title }
+
 describe-title = Betimleme
 describe-close = Betimlemeyi kapat
