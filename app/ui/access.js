@@ -11,19 +11,20 @@ const YEAR = 365 * 24 * 3600;
  * @typedef {object} Access
  * @property {"always" | "body" | "never"} letters when letters, digits, signs and Space are commands
  * @property {boolean} still whether nothing moves by itself, whatever the system says
+ * @property {boolean} sound whether anything is heard
  * @property {boolean} events whether a screen reader is told what happens
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false, events: false };
+export const USUAL = { letters: "always", still: false, sound: true, events: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still, events } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    const { letters, still, sound, events } = JSON.parse(localStorage.getItem(NAME) || "{}");
     const when = letters === "body" || letters === "never" ? letters : USUAL.letters;
-    return { letters: when, still: still === true, events: events === true };
+    return { letters: when, still: still === true, sound: sound !== false, events: events === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;

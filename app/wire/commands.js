@@ -31,6 +31,8 @@ export const COMMANDS = {
   follow: {"label": "command-follow", "keys": ["f"], "shown": "F"},
   ownBody: {"label": "command-own-body", "keys": []},
   plot: {"label": "command-plot", "keys": ["g"], "shown": "G", "needs": "measure"},
+  hear: {"label": "command-hear", "hint": "command-hear.hint", "keys": ["h"], "shown": "H"},
+  hearLive: {"label": "command-hear-live", "keys": ["shift h"], "shown": "Shift H"},
   stopwatch: {"label": "command-stopwatch", "keys": ["t", "l"], "shown": "T", "where": "own"},
   energy: {"label": "command-energy", "keys": [], "needs": "solver"},
   foretell: {"label": "command-foretell", "keys": [], "needs": "solver"},

@@ -1,5 +1,5 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "access" | "describe" | "describeBody" | "body" | "lengths" | "angles";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "hear" | "hearLive" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "access" | "describe" | "describeBody" | "body" | "lengths" | "angles";
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
@@ -64,6 +64,8 @@ export type Goal = { quantity: string; of: "period" | "value"; low: number | nul
 export type Reading = { quantity: string; of: "period" | "value" };
 /** A slider or a list that a step can offer. */
 export type LessonControl = { key: string; label: string };
+/** A line of a plot that is heard. */
+export type HeardLine = { name: string; unit: string; bottom: number; top: number; turns: boolean; values: (number | null)[] };
 /** A slider of the step's is moved. */
 export type SetNumber = { do: "setNumber"; key: string; value: number };
 /** Something is chosen from a list of the step's. */
@@ -277,10 +279,12 @@ export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; st
 export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** The result of a change of the lesson. */
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
+/** The newest values of the plot that is heard while the body moves. */
+export type Tones = { tell: "tones"; plot: string; time: number; lines: HeardLine[] };
 /** Turn to the Measure tab, where a plot is about to appear. */
 export type ShowMeasures = { tell: "showMeasures" };
 /** Play a plot as a melody. */
-export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
+export type Melody = { tell: "melody"; plot: string; way: "frequency" | "path" | "time"; moments: number[]; lines: HeardLine[] };
 /** The slow vibrations of the body, while the strip of modes is open. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
 /** Shapes of the modes, see `modes.feature.encode_shapes`; empty while the strip is closed. */
@@ -313,7 +317,7 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Seat | Bench | Alone | Wall | Predictions | Posters | Desk | Remark | Taken | Brought | ClassEnded | Readings | Touched | Described | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | PutBack | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Seat | Bench | Alone | Wall | Predictions | Posters | Desk | Remark | Taken | Brought | ClassEnded | Readings | Touched | Described | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | PutBack | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | Tones | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
   readings: {
@@ -396,4 +400,4 @@ export type Layouts = {
   };
 };
 /** Messages to the page, by their tags. */
-export type Received = { seat: Seat; bench: Bench; alone: Alone; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; remark: Remark; taken: Taken; brought: Brought; classEnded: ClassEnded; readings: Readings; touched: Touched; described: Described; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; putBack: PutBack; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Received = { seat: Seat; bench: Bench; alone: Alone; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; remark: Remark; taken: Taken; brought: Brought; classEnded: ClassEnded; readings: Readings; touched: Touched; described: Described; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; putBack: PutBack; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; tones: Tones; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

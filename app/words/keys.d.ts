@@ -13,6 +13,8 @@ export type Words = {
   "access-larger.hint": never;
   "access-still": never;
   "access-still.hint": never;
+  "access-sound": never;
+  "access-sound.hint": never;
   "access-events": never;
   "access-events.hint": never;
   "access-kept": never;
@@ -465,6 +467,10 @@ export type Words = {
   "command-own-body": never;
   "command-plot": never;
   "command-plot.help": never;
+  "command-hear": never;
+  "command-hear.hint": never;
+  "command-hear.help": never;
+  "command-hear-live": never;
   "command-stopwatch": never;
   "command-stopwatch.help": never;
   "command-energy": never;
@@ -1218,6 +1224,8 @@ export type Words = {
   "measure-table": never;
   "measure-picture": never;
   "measure-hear": never;
+  "measure-hear-live": never;
+  "measure-hear-live.hint": never;
   "measure-remove": never;
   "measure-analysis-none": never;
   "measure-analysis-spectrum": never;
@@ -1258,6 +1266,15 @@ export type Words = {
   "measure-spectrum-none": never;
   "measure-spectrum-no-peak": never;
   "measure-spectrum-of": "seconds";
+  "melody-heard": "name" | "low" | "high" | "unit";
+  "melody-heard.left": "name" | "low" | "high" | "unit";
+  "melody-heard.right": "name" | "low" | "high" | "unit";
+  "melody-heard.between": "name" | "low" | "high" | "unit";
+  "melody-passes": "from" | "to";
+  "melody-passes.frequency": "from" | "to";
+  "melody-none": "name";
+  "melody-no-plot": never;
+  "melody-off": never;
   "modes-strip": never;
   "modes-close": never;
   "modes-close.hint": never;
@@ -1282,8 +1299,6 @@ export type Words = {
   "modes-sound": never;
   "modes-sound.on": never;
   "modes-sound.off": never;
-  "melody-heard": "name" | "low" | "high" | "unit";
-  "melody-none": "name";
   "muscles-strip": never;
   "muscles-how": never;
   "muscles-kinds": never;
