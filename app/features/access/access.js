@@ -61,6 +61,8 @@ function show() {
     row(letters, say("access-letters"), say("access-letters.hint")),
     row(toggle(isProjector(), toggleProjector), say("access-larger"), say("access-larger.hint")),
     row(toggle(access().still, (still) => setAccess({ still })), say("access-still"), say("access-still.hint")),
+    row(toggle(access().sound, (sound) => setAccess({ sound })), say("access-sound"), say("access-sound.hint")),
+    row(toggle(access().events, (events) => setAccess({ events })), say("access-events"), say("access-events.hint")),
     make("p", "softrod-access-hint", say("access-kept")),
   );
   dialog.addEventListener("close", () => dialog.remove());

@@ -122,11 +122,14 @@ class TimeChart:
 class SvgChart:
     """A plot that the server draws, as SVG; arguments are those of `TimeChart`."""
 
-    handle = None
-
     def __init__(self, gui: viser.GuiApi, order: float) -> None:
         self._gui, self._order = gui, order
         self._chart: viser.GuiHtmlHandle | None = None
+
+    @property
+    def handle(self) -> viser.GuiHtmlHandle | None:
+        """viser's handle; None before it is drawn."""
+        return self._chart
 
     def remove(self) -> None:
         """Remove it from the page."""

@@ -3,7 +3,6 @@
  * The strip of modes over the bar of time: a bar for each slow vibration of the body, and one for what is in none. A bar
  * that is pointed at shows its shape; one that is dragged puts the body into it; one that is pressed drives it.
  */
-import { listenToMelodies } from "./melody.js";
 import { ShapeMarks } from "./shape_marks.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound } from "./sound.js";
@@ -341,7 +340,6 @@ class ModeStrip {
 
 /** Puts up the strip, and begins to listen. */
 function begin() {
-  listenToMelodies();
   strip = new ModeStrip();
 }
 

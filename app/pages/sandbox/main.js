@@ -18,6 +18,7 @@ import { beginViser, canDraw, showFault, endLoading, watchGraphics } from "../..
 import { addOverlay } from "../../stage/overlay.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { identify } from "../../ui/owner.js";
+import { sounds } from "../../ui/loudspeaker.js";
 import { listenToCommands, provide } from "../../wire/perform.js";
 import { addPaper } from "../../stage/paper.js";
 import { listenToPresses } from "../../ui/hands/presses.js";
@@ -81,7 +82,7 @@ whenViser((viser) => {
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
-  const tested = { shown, fitted, isSettled, send, charts, canvas: viserCanvas, project, render, ...seen };
+  const tested = { shown, fitted, isSettled, send, charts, sounds, canvas: viserCanvas, project, render, ...seen };
   Object.assign(window, { __softrod: tested });
 });
 if (canDraw()) {

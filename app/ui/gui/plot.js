@@ -89,6 +89,8 @@ export class Plot extends Control {
     this.from = null;
     /** Where the pointer is, px; null outside. @type {number | null} */
     this.at = null;
+    /** The time that is heard, s; null for none. @type {number | null} */
+    this.heard = null;
     this.inside = { left: 0, right: 1, low: 0, high: 1 };
     /** The ranges of the vertical axes, from the bottom to the top. @type {number[][]} */
     this.ranges = [];
@@ -211,10 +213,20 @@ export class Plot extends Control {
       return made;
     });
     this.mark = makeSvg("path", "softrod-chart-mark");
-    this.svg.replaceChildren(back, ...parts, ...curves, this.mark);
+    this.cursor = makeSvg("path", "softrod-heard");
+    this.svg.replaceChildren(back, ...parts, ...curves, this.mark, this.cursor);
     const lines = upwards.map(({ label }) => label).join("; ");
     this.svg.setAttribute("aria-label", say("ui-plot", { lines, across: axes[0]?.label ?? say("ui-plot.time") }));
     this.read();
+    this.hear(this.heard);
+  }
+
+  /** Shows where the plot is heard. @param {number | null} time s; null where it is not */
+  hear(time) {
+    const { left, right, low, high } = this.inside;
+    this.heard = time;
+    const x = time === null ? NaN : left + ((right - left) * (time - low)) / (high - low);
+    this.cursor?.setAttribute("d", x >= left - 1 && x <= right + 1 ? `M${x.toFixed(1)} ${TOP}V${this.height - BOTTOM}` : "");
   }
 
   /** Where an event is, px from the left as they are drawn: on a projector these are larger than the window's. @param {PointerEvent} event */

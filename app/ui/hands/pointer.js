@@ -6,7 +6,7 @@
 import { shown } from "../../stage/canvas.js";
 import { pageState, send } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
-import { areFree, freeHand, takeHand, handAt } from "./hands.js";
+import { areFree, freeHand, takeHand, tellGrasp, handAt } from "./hands.js";
 import { nearest, onScreen, REACH, wireNumber, worldAt } from "../../stage/screen.js";
 import { screen } from "../viser/screen.js";
 import { viserCanvas } from "../viser/viser.js";
@@ -113,6 +113,7 @@ function press(event) {
 function grab(hold, { x, y }) {
   hold.grabbed = true;
   send({ do: "grab", hand: hold.hand, mass: hold.mass, x: wireNumber(x), y: wireNumber(y) });
+  tellGrasp(hold.mass, true);
 }
 
 /** @param {PointerEvent} event */
@@ -148,7 +149,10 @@ function letGo(event) {
   if (asked) report();
   holds.delete(event.pointerId);
   freeHand(hold.hand);
-  if (hold.grabbed) send({ do: "drop", hand: hold.hand });
+  if (hold.grabbed) {
+    send({ do: "drop", hand: hold.hand });
+    tellGrasp(hold.mass, false);
+  }
   if (!hold.moved && event.type === "pointerup") send({ do: "pick", mass: hold.mass });
 }
 
