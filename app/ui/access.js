@@ -11,17 +11,18 @@ const YEAR = 365 * 24 * 3600;
  * @typedef {object} Access
  * @property {"always" | "body" | "never"} letters when letters, digits, signs and Space are commands
  * @property {boolean} still whether nothing moves by itself, whatever the system says
+ * @property {boolean} taps whether a tap picks up what can be dragged, and the next one says where it goes
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false };
+export const USUAL = { letters: "always", still: false, taps: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still } = JSON.parse(localStorage.getItem(NAME) || "{}");
-    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true };
+    const { letters, still, taps } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true, taps: taps === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;

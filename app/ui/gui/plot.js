@@ -6,6 +6,7 @@
 import { makeSvg } from "../../stage/svg.js";
 import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
+import { takePointer } from "../hands/take.js";
 import { decimal, say } from "../../words/words.js";
 import { Control, newId } from "./control.js";
 
@@ -98,7 +99,7 @@ export class Plot extends Control {
     this.svg.addEventListener("pointerleave", () => this.point(null));
     this.svg.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      this.svg.setPointerCapture(event.pointerId);
+      takePointer(this.svg, event, { name: say("taps-part") });
       this.from = this.placeOf(event);
     });
     this.svg.addEventListener("pointerup", (event) => this.release(this.placeOf(event)));
