@@ -1879,6 +1879,7 @@ export type Words = {
   "ui-on.off": never;
   "ui-plot": "lines" | "across";
   "ui-plot.time": never;
+  "ui-plot.keys": never;
   "ui-found": never;
   "ui-found.none": never;
   "ui-number-unclear": "written" | "one" | "other";
@@ -1976,6 +1977,13 @@ export type Words = {
   "video-saved.pixels": never;
   "view-menu": never;
   "view-menu.hint": never;
+  "view-move": never;
+  "view-move.left": never;
+  "view-move.up": never;
+  "view-move.down": never;
+  "view-move.right": never;
+  "view-move.farther": never;
+  "view-move.nearer": never;
   "view-help": never;
   "view-help-drag": never;
   "view-help-change": never;
