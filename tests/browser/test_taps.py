@@ -229,7 +229,7 @@ def test_a_cut_and_a_rest_angle_are_made_by_taps(open_page: OpenPage) -> None:
     desk = begin(open_page)
     tool(desk, "Joint")
     desk.tell(commands.Select(lambda *_: Selection(joints=frozenset({4}))))
-    knob = desk.page.locator(".softrod-knob")
+    knob = desk.page.locator(".softrod-edit-knob")
     knob.wait_for()
     x, y = middle_of(knob)
     mx, my = desk.place(5)

@@ -19,6 +19,8 @@ const TAP = { mouse: 6, pen: 9, touch: 14 };
 /** Pixels that what was picked up goes in a picture, and in how many pictures it goes at least and at most: a body follows. */
 const STRIDE = 30;
 const [LEAST, MOST] = [4, 24];
+/** Milliseconds for which it is held there: a mass is put down, not thrown. */
+const RESTS = 150;
 /** What works as ever while something is picked up, and does not say where it goes. */
 const CONTROLS = "button, a, input, select, textarea, summary, label, [role=tab], [role=menu]";
 /** What has places of its own. */
@@ -105,22 +107,24 @@ function go(drag, to) {
   const steps = Math.ceil(Math.min(Math.max(Math.hypot(dx, dy) / STRIDE, LEAST), MOST));
   goes = true;
   note.hidden = ring.hidden = true;
+  let at = from;
+  const end = () => {
+    goes = false;
+    if (held !== drag) return;
+    held = null;
+    tell(drag, "pointerup", at);
+    show(say("taps-put", { thing: drag.name }));
+  };
   /** @param {number} step */
   const move = (step) => {
     if (held !== drag) {
       goes = false;
       return;
     }
-    const at = { x: from.x + (dx * step) / steps, y: from.y + (dy * step) / steps };
+    at = { x: from.x + (dx * step) / steps, y: from.y + (dy * step) / steps };
     tell(drag, "pointermove", at);
-    if (step < steps) {
-      requestAnimationFrame(() => move(step + 1));
-      return;
-    }
-    goes = false;
-    held = null;
-    tell(drag, "pointerup", at);
-    show(say("taps-put", { thing: drag.name }));
+    if (step < steps) requestAnimationFrame(() => move(step + 1));
+    else setTimeout(end, RESTS);
   };
   move(1);
 }
