@@ -560,7 +560,11 @@ def test_a_prediction_is_made_by_taps_alone(school: School) -> None:
       return [left + on.x + at(0, 1), top + on.y - at(1, plan.flip)];
     }"""
     # The last pictures of a body that has stopped come a little later.
-    until(phone, lambda: phone.evaluate(where) == (phone.wait_for_timeout(150), phone.evaluate(where))[1], "still")
+    until(
+        phone,
+        lambda: phone.evaluate(where) == (phone.wait_for_timeout(150), phone.evaluate(where))[1],
+        "still",
+    )
     before = phone.evaluate(places)
     x, y = phone.evaluate(where)
     phone.touchscreen.tap(x, y)

@@ -126,7 +126,7 @@ function go(drag, to) {
     if (step < steps) requestAnimationFrame(() => move(step + 1));
     else setTimeout(end, RESTS);
   };
-  move(1);
+  requestAnimationFrame(() => move(1)); // when all have seen that it is pressed
 }
 
 // ------------------------------------------------------------------------- pointers
