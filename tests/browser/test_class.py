@@ -527,3 +527,69 @@ def test_the_pages_of_a_class_say_all_by_messages_and_have_room(school: School) 
             for size in TOUCHED:
                 page.set_viewport_size({"width": size[0], "height": size[1]})
                 assert {one for one in faults(page) if one[2] not in lesson} == set(), (phase, name, size)
+
+
+def test_a_prediction_is_made_by_taps_alone(school: School) -> None:
+    """Without being asked for; what a pupil's body does by taps is, on the pupil's page."""
+    room = school.classroom.room
+    with FRAME_LOCK:
+        teacher = Teacher(school.classroom, Session(a_lesson()))
+
+    def go(phase: Phase) -> None:
+        with FRAME_LOCK:
+            room.go(0, phase)
+            teacher.frame()
+            teacher.frame()
+
+    phone = school.open(seat_address(school.base, room.code), PHONE, touch=True)
+    expect(phone.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
+    phone.get_by_role("button", name="Tap instead of drag").tap()
+    go(Phase.ASK)
+    grip, predict = phone.locator(".softrod-own-prediction circle"), phone.locator("[data-focus=predict]")
+    expect(predict).to_be_disabled()
+    note = phone.locator(".softrod-taps")
+
+    def middle() -> tuple[float, float]:
+        box = grip.bounding_box()
+        assert box is not None
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def is_moved() -> bool:
+        """Once the view has made room for the card."""
+        x, y = middle()
+        phone.touchscreen.tap(x, y)
+        if not note.is_visible():
+            return False
+        expect(note).to_contain_text("Picked up: mass 1")
+        phone.touchscreen.tap(x + 10.0, y + 60.0)
+        expect(note).to_be_hidden()
+        phone.wait_for_timeout(100)
+        return predict.is_enabled() and middle()[1] > y + 40.0
+
+    until(phone, is_moved, "the pale body is where it was tapped to")
+    expect(predict).to_be_enabled()
+    go(Phase.TRY)
+    canvas = phone.locator("canvas")
+    expect(canvas).to_be_visible()
+    places = "[...window.__softrod.shown().body.positions]"
+    phone.get_by_role("button", name="Pause").tap()
+    phone.get_by_role("button", name="Play").wait_for()
+    where = """() => {
+      const picture = window.__softrod.shown(), { plan, place: on, body } = picture;
+      const { left, top } = picture.canvas.getBoundingClientRect();
+      const at = (i, sign) => ((body.positions[2 + i] - (i ? plan.y : plan.x)) * plan.scale * sign * on.step);
+      return [left + on.x + at(0, 1), top + on.y - at(1, plan.flip)];
+    }"""
+    # The last pictures of a body that has stopped come a little later.
+    until(
+        phone,
+        lambda: phone.evaluate(where) == (phone.wait_for_timeout(150), phone.evaluate(where))[1],
+        "still",
+    )
+    before = phone.evaluate(places)
+    x, y = phone.evaluate(where)
+    phone.touchscreen.tap(x, y)
+    expect(note).to_contain_text("Picked up: mass 1")
+    phone.touchscreen.tap(x + 40.0, y)
+    until(phone, lambda: phone.evaluate(where)[0] == pytest.approx(x + 40.0, abs=3.0), "the mass is, too")
+    assert phone.evaluate(places)[2] > before[2]

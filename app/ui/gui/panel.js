@@ -4,6 +4,7 @@
  */
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { perform } from "../../wire/perform.js";
+import { access } from "../access.js";
 import { kept, store } from "../kept/storage.js";
 import { foldStrips } from "../strip.js";
 import { iconHtml, make, makeButton, overCanvas } from "../dialog.js";
@@ -50,7 +51,7 @@ class Panel {
     this.element.ariaLabel = say("ui-panel");
     this.element.hidden = true;
     this.controls = make("div", "softrod-controls softrod-root");
-    this.handle = makeButton("", () => this.go(this.height === "closed" ? "half" : "closed"), "softrod-handle");
+    this.handle = makeButton("", () => this.go(this.next), "softrod-handle");
     this.help = iconButton(HELP, say("command-help"), () => perform("help"));
     this.fold = iconButton(FOLD, say("ui-panel.hide"), () => this.setFolded(true));
     this.unfolds = iconButton(UNFOLD, say("ui-panel.show"), () => this.setFolded(false));
@@ -110,6 +111,12 @@ class Panel {
     this.show();
   }
 
+  /** The height to which a press on the handle takes the sheet; by taps it comes to all of them. @returns {Height} */
+  get next() {
+    if (this.height === "closed") return "half";
+    return this.height === "half" && access().taps ? "full" : "closed";
+  }
+
   /** Opens it, for a tab or a control that was asked for. */
   unfold() {
     if (SHEET.matches) foldStrips();
@@ -141,7 +148,7 @@ class Panel {
     const isSheet = SHEET.matches;
     if (this.isEmpty) delete dataset.softrodPanel;
     else dataset.softrodPanel = isSheet ? this.height : this.isFolded ? "folded" : "open";
-    this.handle.ariaLabel = say(this.height === "closed" ? "ui-panel.up" : "ui-panel.down");
+    this.handle.ariaLabel = say(this.next === "closed" ? "ui-panel.down" : "ui-panel.up");
     this.handle.ariaExpanded = String(this.height !== "closed");
     this.unfolds.hidden = isSheet || this.isEmpty || !this.isFolded;
   }
