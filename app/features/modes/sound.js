@@ -109,9 +109,17 @@ export function loudspeaker() {
     out.gain.value = volume * volume;
     out.connect(limit).connect(context.destination);
     heard = { context, out };
+    context.onstatechange = goOn;
+    document.addEventListener("visibilitychange", goOn);
+    for (const gesture of ["pointerdown", "keydown"]) window.addEventListener(gesture, goOn, true);
   }
-  void heard.context.resume();
+  goOn();
   return heard;
+}
+
+/** Has the sound go on where a call, an alarm or the lock of a phone has interrupted it; some browsers wait for a gesture. */
+function goOn() {
+  if (heard && heard.context.state !== "running") heard.context.resume().catch(() => undefined);
 }
 
 /** The button, the volume, and the sound. */
