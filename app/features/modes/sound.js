@@ -28,6 +28,8 @@ const TOUCH = 1e-4;
 /** Seconds in which a click dies away, and the crack of something that breaks. */
 const CLICK = 0.03;
 const CRACK = 0.12;
+/** Milliseconds between two looks whether the device has interrupted the sound. */
+const LOOK_EVERY = 1000;
 /** Least time between two clicks, s. */
 const APART = 0.05;
 
@@ -109,15 +111,13 @@ export function loudspeaker() {
     out.gain.value = volume * volume;
     out.connect(limit).connect(context.destination);
     heard = { context, out };
-    context.onstatechange = goOn;
-    document.addEventListener("visibilitychange", goOn);
-    for (const gesture of ["pointerdown", "keydown"]) window.addEventListener(gesture, goOn, true);
+    setInterval(goOn, LOOK_EVERY);
   }
   goOn();
   return heard;
 }
 
-/** Has the sound go on where a call, an alarm or the lock of a phone has interrupted it; some browsers wait for a gesture. */
+/** Has the sound go on where a call, an alarm or the lock of a phone has interrupted it. */
 function goOn() {
   if (heard && heard.context.state !== "running") heard.context.resume().catch(() => undefined);
 }
