@@ -1734,6 +1734,7 @@ Key = Literal[
     "site-groups",
     "site-dark",
     "site-made",
+    "site-kept",
     "site-bar",
     "site-all",
     "site-all.hint",
