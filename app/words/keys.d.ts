@@ -1793,6 +1793,7 @@ export type Words = {
   "site-groups": never;
   "site-dark": never;
   "site-made": never;
+  "site-kept": never;
   "site-bar": never;
   "site-all": never;
   "site-all.hint": never;

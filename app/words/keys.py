@@ -1795,6 +1795,7 @@ Key = Literal[
     "site-groups",
     "site-dark",
     "site-made",
+    "site-kept",
     "site-bar",
     "site-all",
     "site-all.hint",

@@ -105,7 +105,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
 <button id="follow" type="button" {follow}>{said("live-follow")}</button>
 <div id="pad" hidden>{arrows}</div>
-<output id="clock"></output>
+<output id="clock" translate="no"></output>
 <button id="view" type="button" aria-label="{said("live-view")}">?</button>
 </section>
 <p id="says" class="hidden" role="status"></p>"""

@@ -4,7 +4,7 @@ import { fit, moveView } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
+import { iconHtml, make, makeButton, overCanvas, untranslated } from "../../ui/dialog.js";
 import { keyOf } from "../../ui/hands/key_table.js";
 import { openFinder } from "../../ui/gui/finder.js";
 import { isSheet } from "../../ui/gui/panel.js";
@@ -86,7 +86,7 @@ class ViewMenu {
       if (byKeys) this.lid.focus();
     }, "");
     const { label, hint } = COMMANDS[entry.name];
-    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), make("kbd", "", keyOf(entry.name)));
+    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), untranslated(make("kbd", "", keyOf(entry.name))));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
     item.title = hint ? say(hint) : "";
