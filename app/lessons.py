@@ -36,6 +36,10 @@ _WORDS: dict[str, Key] = {
     "angle": "reading-angle",
     "torque": "reading-torque",
     "speed": "reading-speed",
+    "vx": "reading-vx",
+    "vy": "reading-vy",
+    "momentum_x": "reading-momentum-x",
+    "momentum_y": "reading-momentum-y",
     "distance": "reading-distance",
     "dt_over_limit": "reading-time-step",
 }

@@ -1460,6 +1460,10 @@ export type Words = {
   "reading-angle": never;
   "reading-torque": never;
   "reading-speed": never;
+  "reading-vx": never;
+  "reading-vy": never;
+  "reading-momentum-x": never;
+  "reading-momentum-y": never;
   "reading-distance": never;
   "reading-time-step": never;
   "reading-of": "owner" | "what" | "number";

@@ -15,6 +15,7 @@ import sim
 from ...session.plots import Plot, Span
 from .analysis import DrawnSpectrum
 from .messages import HeardLine, Melody, Tones
+from .plots import called
 
 Floats = NDArray[np.float64]
 
@@ -70,7 +71,7 @@ def spectrum_melody(plot: Plot, drawn: DrawnSpectrum, control: str) -> Melody:
         way="frequency",
         moments=tuple(drawn.frequencies.tolist()),
         lines=tuple(
-            _line(quantity, (0.0, tops[quantity.unit]), False, amplitudes)
+            _line(plot, quantity, (0.0, tops[quantity.unit]), False, amplitudes)
             for quantity, amplitudes in zip(quantities, drawn.amplitudes, strict=True)
         )
         if drawn.frequencies.size
@@ -95,7 +96,7 @@ def _lines(plot: Plot, rows: Floats, notes: Floats) -> tuple[HeardLine, ...]:
         axis = [k for k, q in enumerate(upwards, start=1) if q.unit == quantity.unit] if i <= count else [i]
         low, high, turns = _bounds(rows[:, axis], quantity.unit)
         is_turned = quantity not in across and plot.turned[plot.units.index(quantity.unit)]
-        lines.append(_line(quantity, (high, low) if is_turned else (low, high), turns, notes[:, i]))
+        lines.append(_line(plot, quantity, (high, low) if is_turned else (low, high), turns, notes[:, i]))
     return tuple(lines)
 
 
@@ -112,7 +113,11 @@ def _bounds(values: Floats, unit: str) -> tuple[float, float, bool]:
 
 
 def _line(
-    quantity: sim.Quantity, ends: tuple[float, float], turns: bool, values: Sequence[float] | Floats
+    plot: Plot,
+    quantity: sim.Quantity,
+    ends: tuple[float, float],
+    turns: bool,
+    values: Sequence[float] | Floats,
 ) -> HeardLine:
     heard = tuple(float(f"{v:.6g}") if np.isfinite(v) else None for v in values)
-    return HeardLine(quantity.name, quantity.unit, *ends, turns, heard)
+    return HeardLine(called(plot, quantity), quantity.unit, *ends, turns, heard)

@@ -293,7 +293,7 @@ class PlotList:
         for shown in list(self._plots):
             before = shown.plot
             try:
-                plot = Plot(before.spec, self._session.scene)
+                plot = Plot(before.spec, self._session.scene, before.in_words)
             except InputError:
                 self._remove(shown)
                 continue
@@ -333,7 +333,7 @@ class PlotList:
         try:
             if len(self._plots) == MAX_PLOTS:
                 raise InputError(say("measure-no-room", count=MAX_PLOTS))
-            plot = Plot(spec, self._session.scene)
+            plot = Plot(spec, self._session.scene, in_words=self._extend_by is None)
         except InputError as error:
             self._page.notify(Notice("error", say("measure-cannot"), refusal(error)))
             return
