@@ -6,16 +6,21 @@ import csv
 import json
 import math
 import re
+from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 
+from app import ui
+from app.bundle import bundle
 from app.session import commands
 from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, until
 
 SOUNDS = "() => JSON.stringify(window.__softrod.sounds())"
 LOW, HIGH = 220.0, 880.0
+UI = Path(ui.__file__).parent
 
 
 def sounds(desk: Desk) -> list[dict[str, Any]]:
@@ -104,3 +109,51 @@ def test_a_plot_is_heard_while_the_body_moves_unless_sound_is_off(open_page: Ope
     assert len(sounds(desk)) == count
     page.keyboard.press("Shift+H")
     until(page, lambda: not live.is_checked(), "the key turns it off")
+
+
+# Renders what would be heard, with the very voices of the page: two lines, and a tone that goes round.
+RENDERED = (
+    f"""async () => {{
+  const {{ Voice }} = (() => {{ {bundle(UI / "voice.js")}; return {{ Voice }}; }})();
+  const {{ panOf, pitchOf, circularTones }} = (() => {{ {bundle(UI / "pitch.js")};
+    return {{ panOf, pitchOf, circularTones }}; }})();
+"""
+    + """
+  const context = new OfflineAudioContext(2, 24000, 24000);
+  const bounds = { bottom: 0, top: 1, turns: false };
+  [0, 1].forEach((value, i) => {
+    const tones = [{ pitch: pitchOf(value, bounds), gain: 1 }];
+    new Voice(context, context.destination, panOf(i, 2), 0.3).play(tones, 0, 0.006);
+  });
+  const played = await context.startRendering();
+  const pitches = [0, 1].map((side) => {
+    const samples = played.getChannelData(side);
+    const crossings = [];
+    for (let n = 12000; n < samples.length; n++) {
+      const [before, now] = [samples[n - 1], samples[n]];
+      if (before < 0 && now >= 0) crossings.push(n - now / (now - before));
+    }
+    return ((crossings.length - 1) * 24000) / (crossings.at(-1) - crossings[0]);
+  });
+  const round = new OfflineAudioContext(1, 24000, 24000);
+  const voice = new Voice(round, round.destination, 0, 0.3);
+  for (let i = 0; i < 200; i++) voice.play(circularTones(90 + 3.6 * i), i / 200, 0.006);
+  const samples = (await round.startRendering()).getChannelData(0);
+  let [jump, loudest] = [0, 0];
+  for (let n = 2400; n < samples.length; n++) {
+    jump = Math.max(jump, Math.abs(samples[n] - samples[n - 1]));
+    loudest = Math.max(loudest, Math.abs(samples[n]));
+  }
+  return { pitches, jump, loudest };
+}"""
+)
+
+
+def test_two_lines_are_heard_in_two_ears_and_a_tone_that_goes_round_does_not_click(
+    open_page: OpenPage,
+) -> None:
+    desk = open_page()
+    found = desk.page.evaluate(RENDERED)
+    assert found["pitches"] == [pytest.approx(LOW, rel=1e-3), pytest.approx(HIGH, rel=1e-3)]
+    assert 0.1 < found["loudest"] < 0.4
+    assert found["jump"] < 0.5 * found["loudest"]  # a click would be as large as the tone

@@ -8,9 +8,10 @@ import { access } from "../../ui/access.js";
 import { make, overCanvas } from "../../ui/dialog.js";
 import { controlOf } from "../../ui/gui/gui.js";
 import { Plot } from "../../ui/gui/plot.js";
-import { click, loudspeaker, note } from "../../ui/loudspeaker.js";
+import { loudspeaker, note } from "../../ui/loudspeaker.js";
 import { Follower, panOf, scoreOf } from "../../ui/pitch.js";
 import { few } from "../modes/shapes.js";
+import { Voice } from "../../ui/voice.js";
 import { say } from "../../words/words.js";
 import { markPhase } from "./phase.js";
 
@@ -29,58 +30,8 @@ const WAY = 0.006;
 const LIVE_WAY = 0.03;
 /** Loudness of all lines together. */
 const LOUDNESS = 0.35;
-/** A click: seconds, loudness, Hz, and how much shorter after another one it is left out, ms. */
-const CLICK = { seconds: 0.008, loud: 0.9, pitch: 3200, apart: 40 };
 /** Milliseconds without a value after which the tones of a moving body fall silent: one at rest has a value a second. */
 const FORGOTTEN = 1500;
-
-/** The tones of one line. */
-class Voice {
-  /** @param {AudioContext} context @param {AudioNode} to @param {number} pan @param {number} loud */
-  constructor(context, to, pan, loud) {
-    this.context = context;
-    this.pan = pan;
-    this.out = context.createStereoPanner();
-    this.out.pan.value = pan;
-    this.out.connect(to);
-    this.loud = loud;
-    /** @type {{oscillator: OscillatorNode, gain: GainNode}[]} */
-    this.all = [];
-    this.clicked = -Infinity;
-  }
-
-  /** @param {Tone[]} tones @param {number} at seconds of the context @param {number} way seconds */
-  play(tones, at, way) {
-    while (this.all.length < tones.length) {
-      const [oscillator, gain] = [this.context.createOscillator(), this.context.createGain()];
-      gain.gain.value = 0;
-      oscillator.frequency.value = tones[this.all.length].pitch;
-      oscillator.connect(gain).connect(this.out);
-      oscillator.start();
-      this.all.push({ oscillator, gain });
-    }
-    this.all.forEach(({ oscillator, gain }, i) => {
-      if (tones[i]) oscillator.frequency.setTargetAtTime(tones[i].pitch, at, way);
-      gain.gain.setTargetAtTime(this.loud * (tones[i]?.gain ?? 0), at, way);
-    });
-  }
-
-  /** @param {number} at seconds of the context */
-  click(at) {
-    if (1e3 * (at - this.clicked) < CLICK.apart) return false;
-    this.clicked = at;
-    click(this.context, this.out, CLICK.seconds, CLICK.loud, CLICK.pitch, at);
-    return true;
-  }
-
-  stop() {
-    for (const { oscillator, gain } of this.all) {
-      gain.gain.cancelScheduledValues(this.context.currentTime);
-      gain.gain.setTargetAtTime(0, this.context.currentTime, WAY);
-      oscillator.stop(this.context.currentTime + 10 * WAY);
-    }
-  }
-}
 
 /** A tone as it is remembered. @param {Line} line @param {Voice} voice @param {Tone[]} tones @param {number} at ms */
 const noteTone = (line, voice, tones, at) =>
