@@ -108,7 +108,7 @@ class FitPanel:
             if len(tables) > 1:
                 self._which = self._choice(tables, chosen)
             about = say("fit-table", name=html.escape(table.name), count=table.time.size)
-            about += "".join(f"<p>{html.escape(remark)}</p>" for remark in table.remarks)
+            about += "".join(f"<p>{html.escape(of(remark))}</p>" for remark in table.remarks)
             self._about = gui.add_html(_text(about), order=FIRST)
             texts = guesses(table, self._scene)
             for i, column in enumerate(table.columns[:MAX_COLUMNS]):
@@ -371,10 +371,10 @@ def _text(content: str) -> str:
 
 def _found_html(found: Fit) -> str:
     """Return the numbers with their intervals, the residuals, and what the data cannot determine, as HTML."""
-    rows = {html.escape(each.name): html.escape(each.text) for each in found.values.values()}
+    rows = {html.escape(each.name): html.escape(of(each.text)) for each in found.values.values()}
     left = [
         say("fit-left", column=each.column, noise=f"{each.noise:.3g} {each.unit}".rstrip())
         for each in found.series
     ]
-    said = "".join(f"<p>{html.escape(line)}</p>" for line in (*left, *found.sentences))
+    said = "".join(f"<p>{html.escape(of(line))}</p>" for line in (*left, *found.sentences))
     return readouts.table(rows) + _text(said)
