@@ -72,7 +72,9 @@ function surround(mass) {
   const masses = [...new Set([...editing.selected.masses, mass])];
   const springs = springsOf(seen).filter(({ ends }) => ends.every((end) => masses.includes(end))).map(({ spring }) => spring);
   const between = Array.from({ length: joints.length / 4 }, (_, i) => i).filter((i) => joints.subarray(4 * i, 4 * i + 2).every((one) => springs.includes(one)));
-  send({ do: "select", masses, springs, joints: between });
+  const selected = { masses, springs, joints: between };
+  change({ selected }); // at once: the next key may come before the server has told of it
+  send({ do: "select", ...selected });
 }
 
 /** The Enter key on a mass. @param {number} mass @param {boolean} isMore with Shift @returns {boolean} whether it did something */
