@@ -380,6 +380,12 @@ def test_a_window_without_focus(open_page: OpenPage, school: School, live: Calla
         moves(page)
 
 
+def revision(desk: Desk) -> int:
+    """Of the session as the server has sent it to be kept; -1 for none."""
+    sent = desk.tab.probe().kept
+    return -1 if sent is None else sent.revision
+
+
 def test_storage_is_refused(
     browser: Browser, serve: Serve, school: School, live: Callable[..., Page]
 ) -> None:
@@ -394,12 +400,7 @@ def test_storage_is_refused(
         moves(desk.page)
         # The page has the body for as long as it is open: through an outage, too.
         desk.tell(commands.SetValue("gravity", 900.0))
-        desk.until(
-            lambda: (
-                desk.tab.probe().kept is not None and desk.tab.probe().kept.revision == desk.session.revision
-            ),
-            "it is kept",
-        )
+        desk.until(lambda: revision(desk) == desk.session.revision, "it is kept")
         desk.pause(0.3)
         known = desk.client
         between.mute = True
@@ -408,8 +409,9 @@ def test_storage_is_refused(
         client = desk.until(
             lambda: [c for c in list(served.ticker.tabs) if c > known], "the page connects anew"
         )[-1]
-        session = desk.until(lambda: sandboxes(served.ticker)[client].session, "it has a session")
-        desk.until(lambda: session.scene.gravity == (0.0, 900.0), "with the same body")
+        desk.client = client
+        desk.until(lambda: desk.tab.session is not None, "it has a session")
+        desk.until(lambda: desk.session.scene.gravity == (0.0, 900.0), "with the same body")
         moves(desk.page)
         assert not desk.errors
         context.close()
