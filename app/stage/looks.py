@@ -90,6 +90,9 @@ CODE_FONT = "ui-monospace, Menlo, Consolas, monospace"
 TYPE = ((12, 16), (14, 20), (16, 24), (20, 28), (28, 36), (40, 48))
 """Sizes of letters and of their lines, px: notes, controls, what is read, titles, heads, what is shown."""
 
+LETTERS = 16.0
+"""Size of letters, px, in a browser whose user wishes no others; where they do, all letters grow with them."""
+
 GAPS = (4, 8, 12, 16, 20, 24, 32, 48)
 """Distances, px."""
 
@@ -121,7 +124,7 @@ SHADOWS = {
 }
 """Shadows, on white and on dark, where each has a line, since shadows vanish there."""
 
-OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "CODE_FONT", "TYPE", "GAPS", "RADII", "HEIGHTS")
+OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "CODE_FONT", "TYPE", "LETTERS", "GAPS", "RADII", "HEIGHTS")
 OF_STYLES += ("TIMES", "CURVE", "SHADOWS", "BY_SYSTEM", "OF_STYLES", "PATH")
 """What scripts do not use."""
 
@@ -306,8 +309,8 @@ def style_rules(dark: str) -> str:
 
         paper, text, brand, ...     each of `COLORS` and of `SHADES`, light and dark
         font, font-code             families
-        type-1 ... type-6           sizes of letters: 12, 14, 16, 20, 28, 40 px
-        line-1 ... line-6           heights of their lines: 16, 20, 24, 28, 36, 48 px
+        type-1 ... type-6           sizes of letters: 12, 14, 16, 20, 28, 40 px, larger where the browser's are
+        line-1 ... line-6           heights of their lines: 16, 20, 24, 28, 36, 48 px, as well
         gap-4, -8, -12, -16, -20, -24, -32, -48
         radius-6, -8, -12, -16
         height-least, -panel, -bar, -thumb    24, 32, 40, 48 px; -panel and -bar 48 on touch screens
@@ -327,7 +330,7 @@ def style_rules(dark: str) -> str:
     )
     sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "font-code": CODE_FONT, "curve": CURVE}
     for i, (size, line) in enumerate(TYPE, start=1):
-        sizes |= {f"type-{i}": f"{size}px", f"line-{i}": f"{line}px"}
+        sizes |= {f"type-{i}": f"{size / LETTERS:g}rem", f"line-{i}": f"{line / LETTERS:g}rem"}
     for name, pixels in (("gap", GAPS), ("radius", RADII)):
         sizes |= {f"{name}-{size}": f"{size}px" for size in pixels}
     sizes |= {f"height-{name}": f"{size}px" for name, size in HEIGHTS.items()}
