@@ -1,27 +1,30 @@
 // @ts-check
 /** How somebody uses the page: settings on the page Access of the View menu, which this device keeps. */
+import { send } from "../wire/channel.js";
 import { language } from "../words/words.js";
 
 const NAME = "softrod-access";
 const LANGUAGE = "softrod-lang";
-/** Seconds for which the language is kept. */
+const STILL = "softrod-still";
+/** Seconds for which a cookie is kept. */
 const YEAR = 365 * 24 * 3600;
 
 /**
  * @typedef {object} Access
  * @property {"always" | "body" | "never"} letters when letters, digits, signs and Space are commands
  * @property {boolean} still whether nothing moves by itself, whatever the system says
+ * @property {boolean} contrast whether letters and edges stand out more, whatever the system says
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false };
+export const USUAL = { letters: "always", still: false, contrast: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still } = JSON.parse(localStorage.getItem(NAME) || "{}");
-    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true };
+    const { letters, still, contrast } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true, contrast: contrast === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;
@@ -45,12 +48,24 @@ export function setAccess(changed) {
     // They hold until the page is left.
   }
   apply();
+  if (changed.still !== undefined) tellStill();
 }
 
 /** Shows them where only the style is concerned. */
 export function apply() {
   document.documentElement.toggleAttribute("data-softrod-still", now.still);
+  document.documentElement.toggleAttribute("data-softrod-contrast", now.contrast);
+  // The server reads it before it shows a page's first body.
+  document.cookie = `${STILL}=${isStill() ? 1 : 0}; path=/; max-age=${YEAR}; samesite=lax`;
 }
+
+/** Applies them from now on, also where the system's wish changes, and tells the server whether bodies that are opened stand. */
+export function begin() {
+  apply();
+  calm?.addEventListener("change", () => (apply(), tellStill()));
+}
+
+const tellStill = () => send({ do: "still", on: isStill() });
 
 /**
  * Whether a key is a character that may be meant for something else than the page: typed by mistake, or said to a program

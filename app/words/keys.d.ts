@@ -11,6 +11,8 @@ export type Words = {
   "access-letters.never": never;
   "access-larger": never;
   "access-larger.hint": never;
+  "access-contrast": never;
+  "access-contrast.hint": never;
   "access-still": never;
   "access-still.hint": never;
   "access-kept": never;
@@ -1838,6 +1840,7 @@ export type Words = {
   "time-shown.said": "seconds";
   "time-lost": "seconds";
   "time-past": never;
+  "time-stands": never;
   "ui-templates": never;
   "ui-mixed": "setting";
   "ui-mixed.angles": never;

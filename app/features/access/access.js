@@ -1,6 +1,6 @@
 // @ts-check
 /** The page Access of the View menu: a dialog of settings that this device keeps. */
-import { access, apply, setAccess, speak } from "../../ui/access.js";
+import { access, begin, setAccess, speak } from "../../ui/access.js";
 import { make, makeDialog } from "../../ui/dialog.js";
 import { isProjector, toggleProjector } from "../../ui/looks.js";
 import { language, languages, say } from "../../words/words.js";
@@ -60,6 +60,7 @@ function show() {
     row(tongues, say("access-language"), say("access-language.hint")),
     row(letters, say("access-letters"), say("access-letters.hint")),
     row(toggle(isProjector(), toggleProjector), say("access-larger"), say("access-larger.hint")),
+    row(toggle(access().contrast, (contrast) => setAccess({ contrast })), say("access-contrast"), say("access-contrast.hint")),
     row(toggle(access().still, (still) => setAccess({ still })), say("access-still"), say("access-still.hint")),
     make("p", "softrod-access-hint", say("access-kept")),
   );
@@ -68,4 +69,4 @@ function show() {
 }
 
 /** @type {import("../../ui/feature.js").Feature<"access">} */
-export default { commands: { access: show }, begin: apply };
+export default { commands: { access: show }, begin };

@@ -49,6 +49,9 @@ function damageOf(body) {
   return { ...UNHARMED, broken, setLength: Float32Array.from(body.setLength), setAngle: Float32Array.from(body.setAngle) };
 }
 
+/** Whether nothing is to move by itself. */
+const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 /** A body and all that is done with it. */
 export class Live {
   playing = false;
@@ -85,7 +88,7 @@ export class Live {
     }
     // endif
     this.panel.setUp(about.settings, about.settings.map(({ key }) => key));
-    this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    this.play(!isStill());
   }
 
   get plan() {
@@ -95,6 +98,11 @@ export class Live {
   /** Where the world is in the canvas. */
   get place() {
     return screenOf(this.shown, this.canvas);
+  }
+
+  /** Whether the body stands only because less motion is wished. */
+  get stands() {
+    return isStill() && !this.playing && this.body.time === 0 && !this.course?.run.waits;
   }
 
   get body() {
@@ -130,7 +138,7 @@ export class Live {
     element("charts", HTMLElement).replaceChildren(...this.#charts.map(({ element }) => element));
     this.#record = new Recording({ goal: step.goal, names: step.plots.flatMap(({ names, over }) => (over ? [...names, over] : names)) });
     this.#reset();
-    this.play(!waits);
+    this.play(!waits && !isStill());
   }
 
   #look() {

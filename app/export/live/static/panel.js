@@ -38,6 +38,7 @@ export class Panel {
     this.readings = part("numbers");
     this.rows = part("sliders");
     this.others = part("others");
+    this.stands = part("stands");
     this.play = button("play");
     this.follow = button("follow");
     this.clock = element("clock", HTMLOutputElement);
@@ -130,6 +131,7 @@ export class Panel {
       this.#due = 0;
     }
     this.follow.ariaPressed = String(hands.follows);
+    this.stands.hidden = !this.live.stands;
     if (stopped.hidden === clock.exploded) {
       stopped.hidden = !clock.exploded;
       this.cause.textContent = clock.cause;
