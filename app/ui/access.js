@@ -1,13 +1,11 @@
 // @ts-check
 /** How somebody uses the page: settings on the page Access of the View menu, which this device keeps. */
-import { send } from "../wire/channel.js";
 import { language } from "../words/words.js";
 
 const NAME = "softrod-access";
 const LANGUAGE = "softrod-lang";
-const STILL = "softrod-still";
 /** Seconds for which a cookie is kept. */
-const YEAR = 365 * 24 * 3600;
+export const YEAR = 365 * 24 * 3600;
 
 /**
  * @typedef {object} Access
@@ -48,24 +46,16 @@ export function setAccess(changed) {
     // They hold until the page is left.
   }
   apply();
-  if (changed.still !== undefined) tellStill();
 }
 
 /** Shows them where only the style is concerned. */
 export function apply() {
   document.documentElement.toggleAttribute("data-softrod-still", now.still);
   document.documentElement.toggleAttribute("data-softrod-contrast", now.contrast);
-  // The server reads it before it shows a page's first body.
-  document.cookie = `${STILL}=${isStill() ? 1 : 0}; path=/; max-age=${YEAR}; samesite=lax`;
 }
 
-/** Applies them from now on, also where the system's wish changes, and tells the server whether bodies that are opened stand. */
-export function begin() {
-  apply();
-  calm?.addEventListener("change", () => (apply(), tellStill()));
-}
-
-const tellStill = () => send({ do: "still", on: isStill() });
+/** Calls back when the system's wish for less motion changes. @param {() => void} call */
+export const onCalm = (call) => calm && calm.addEventListener("change", call);
 
 /**
  * Whether a key is a character that may be meant for something else than the page: typed by mistake, or said to a program
@@ -75,7 +65,7 @@ const tellStill = () => send({ do: "still", on: isStill() });
  */
 export function isMeantElsewhere({ key = "", ctrlKey, metaKey, target }) {
   if (now.letters === "always" || key.length !== 1 || ctrlKey || metaKey) return false;
-  return now.letters === "never" || !(target instanceof Element && target.matches(".softrod-body"));
+  return now.letters === "never" || !(target instanceof Element && target.matches(".softrod-body, #canvas"));
 }
 
 /** Speaks another language from now on: the page is loaded anew, and gets its body back. @param {string} tag */

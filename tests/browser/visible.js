@@ -1,6 +1,6 @@
 // What of a page can be seen and pressed, by words, roles and places alone, so that it serves any page.
 // Evaluates to an object: pressables(), small(least), crowded(least), covered(),
-// sideways(), unreached(), cut(), zooms(); each entry is plain data.
+// sideways(), unreached(within), cut(), zooms(); each entry is plain data.
 (() => {
   const PRESSABLE =
     "button, a[href], input:not([type=hidden]), select, textarea, summary, [role=button], [role=tab], [role=switch], " +
@@ -218,9 +218,9 @@
     }
     return found;
   };
-  const unreached = () =>
+  const unreached = (within) =>
     all()
-      .filter((element) => !element.matches(":disabled"))
+      .filter((element) => !element.matches(":disabled") && element.closest(within))
       .map((element) => {
         const back = put(element);
         const { left, top, width, height } = element.getBoundingClientRect();

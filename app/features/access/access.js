@@ -1,8 +1,9 @@
 // @ts-check
 /** The page Access of the View menu: a dialog of settings that this device keeps. */
-import { access, begin, setAccess, speak } from "../../ui/access.js";
+import { YEAR, access, apply, isStill, onCalm, setAccess, speak } from "../../ui/access.js";
 import { make, makeDialog } from "../../ui/dialog.js";
 import { isProjector, toggleProjector } from "../../ui/looks.js";
+import { send } from "../../wire/channel.js";
 import { language, languages, say } from "../../words/words.js";
 
 /**
@@ -61,11 +62,26 @@ function show() {
     row(letters, say("access-letters"), say("access-letters.hint")),
     row(toggle(isProjector(), toggleProjector), say("access-larger"), say("access-larger.hint")),
     row(toggle(access().contrast, (contrast) => setAccess({ contrast })), say("access-contrast"), say("access-contrast.hint")),
-    row(toggle(access().still, (still) => setAccess({ still })), say("access-still"), say("access-still.hint")),
+    row(toggle(access().still, (still) => (setAccess({ still }), tellStill())), say("access-still"), say("access-still.hint")),
     make("p", "softrod-access-hint", say("access-kept")),
   );
   dialog.addEventListener("close", () => dialog.remove());
   dialog.showModal();
+}
+
+/** The server reads it before it shows a page's first body, which then stands. */
+const keepStill = () => (document.cookie = `softrod-still=${Number(isStill())}; path=/; max-age=${YEAR}; samesite=lax`);
+
+/** Tells the server whether bodies that are opened from now on stand. */
+function tellStill() {
+  keepStill();
+  send({ do: "still", on: isStill() });
+}
+
+function begin() {
+  apply();
+  keepStill();
+  onCalm(tellStill);
 }
 
 /** @type {import("../../ui/feature.js").Feature<"access">} */

@@ -19,6 +19,7 @@
  * @property {string[]} plans arrays as pages get them: the plan on white and on dark paper
  * @typedef {import("../../static/paint.js").Stage & Told} About
  */
+import { isStill } from "../../../ui/access.js";
 import { readPlan, UNHARMED } from "../../../stage/plan.js";
 import { say } from "../../../words/words.js";
 import { paint, screenOf } from "../../static/paint.js";
@@ -48,9 +49,6 @@ function damageOf(body) {
   const broken = new Set(Array.from(body.broken.keys()).filter((s) => body.broken[s]));
   return { ...UNHARMED, broken, setLength: Float32Array.from(body.setLength), setAngle: Float32Array.from(body.setAngle) };
 }
-
-/** Whether nothing is to move by itself. */
-const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** A body and all that is done with it. */
 export class Live {

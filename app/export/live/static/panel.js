@@ -7,6 +7,7 @@
  * @typedef {import("./settings.js").Setting} Setting
  * @typedef {import("./steps.js").Steering} Steering
  */
+import { isMeantElsewhere } from "../../../ui/access.js";
 import { heldArrow } from "../../../ui/hands/arrow_keys.js";
 import { listenToPad, releasePad } from "../../../ui/hands/arrow_pad.js";
 import { say } from "../../../words/words.js";
@@ -82,7 +83,7 @@ export class Panel {
     }
     if (repeat || (key === " " && target.matches("button, summary"))) return;
     const does = this.keys[key.toLowerCase()];
-    if (!does) return;
+    if (!does || isMeantElsewhere(event)) return;
     event.preventDefault();
     does();
   }
