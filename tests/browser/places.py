@@ -124,7 +124,7 @@ PLACES: dict[str, Place] = {
     "seat": Place("seat", PHONE, True),
     "seat on a laptop": Place("seat"),
     "wall": Place("wall"),
-    "desk": Place("desk"),
+    "desk": Place("desk", ready="document.querySelector('.softrod-desk > header') !== null"),
 }
 
 
