@@ -163,7 +163,8 @@ function offers() {
     const { offer, future, scrubbed, start = 0 } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
-    stands.hidden = !(isStill() && pageState().playing === false && timeNow() === 0 && !document.documentElement.hasAttribute("data-softrod-lesson"));
+    const { page, playing, lesson } = pageState();
+    stands.hidden = !(isStill() && page && !playing && !lesson && timeNow() === 0);
     const lost = scrubbed && start > 0 ? say("time-lost", { seconds: decimal(start.toFixed(1)) }) : "";
     past.textContent = future ? say("time-past") : lost;
   };
