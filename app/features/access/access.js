@@ -72,6 +72,9 @@ function show() {
 /** The server reads it before it shows a page's first body, which then stands. */
 const keepStill = () => (document.cookie = `softrod-still=${Number(isStill())}; path=/; max-age=${YEAR}; samesite=lax`);
 
+// Before the page connects.
+keepStill();
+
 /** Tells the server whether bodies that are opened from now on stand. */
 function tellStill() {
   keepStill();
@@ -80,7 +83,6 @@ function tellStill() {
 
 function begin() {
   apply();
-  keepStill();
   onCalm(tellStill);
 }
 
