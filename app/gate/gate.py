@@ -114,6 +114,7 @@ PROXY_HEADERS = ("Forwarded", "X-Forwarded-For", "X-Forwarded-Host", "X-Forwarde
 """What proxies add to the requests that they pass on."""
 
 
+_STILL = re.compile(r"(?:^|;)\s*softrod-still=1\s*(?:;|$)", re.ASCII)
 _CHOSEN = re.compile(r"(?:^|;)\s*softrod-lang=([A-Za-z-]{1,20})\s*(?:;|$)", re.ASCII)
 
 
@@ -162,6 +163,7 @@ class Visit:
         language: that it is to be spoken to in.
         host: the name and port by which it reached the server.
         visitor: whose share of the server it takes.
+        still: whether less motion is wished on its device.
         is_local: whether it is certainly of this machine: nobody else can connect, and no proxy passed it on.
             Behind a proxy every connection comes from this machine, so its address alone proves nothing.
     """
@@ -171,6 +173,7 @@ class Visit:
     host: str = ""
     visitor: str = ""
     is_local: bool = False
+    still: bool = False
 
 
 class Connection(ServerConnection):
@@ -424,9 +427,8 @@ class Gate:
         request = connection.request
         assert request is not None
         query = request.path.partition("?")[2]
-        return Visit(
-            query, language_of(request), request.headers["Host"], connection.visitor, self._is_local(request)
-        )
+        host, still = request.headers["Host"], any(map(_STILL.search, request.headers.get_all("Cookie")))
+        return Visit(query, language_of(request), host, connection.visitor, self._is_local(request), still)
 
     def _is_local(self, request: Request) -> bool:
         return self.loopback and not any(map(request.headers.get_all, PROXY_HEADERS))

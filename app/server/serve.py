@@ -107,7 +107,7 @@ class _Tabs:
         begin = None if gate.loopback and self._public is None else self._begin_class
         return Tab(
             client, first, self._compiler, visit.query, visit.is_local, self._for_others, role, begin,
-            self._classes.teach,
+            self._classes.teach, visit.still,
         )  # fmt: skip
 
     def _base(self, visit: Visit) -> str:

@@ -319,7 +319,7 @@ class Open(Command):
 
     def apply(self, session: Session, at: float) -> None:
         # The clock was stopped because of the other body.
-        stopped = session.offer_back or session.awaits_answer
+        stopped, answered = session.offer_back or session.awaits_answer, session.awaits_answer
         # The first step of a lesson replaces the scene that has just been opened.
         begins = self.begun and not session.lesson_begun
         before, base = session.simulation.capture(), session.lesson_base
@@ -333,8 +333,10 @@ class Open(Command):
             session.versions.amend_leap(opened)
         else:
             session.versions.add_leap(say("session-opening", scene=name_of(self.scene)), before, opened)
-        if stopped or self.waits:
-            session.play(not self.waits)
+        # What was predicted is run because its user has asked for it.
+        stands = session.stands and not (answered and self.begun)
+        if stopped or stands or self.waits:
+            session.play(not (stands or self.waits))
         session.awaits_answer = self.waits
 
     @property

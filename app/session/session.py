@@ -187,13 +187,17 @@ class Session:
     """
 
     def __init__(
-        self, scene: sim.Scene, clock: Callable[[], float] = time.monotonic, wait: bool = True
+        self,
+        scene: sim.Scene,
+        clock: Callable[[], float] = time.monotonic,
+        wait: bool = True,
+        stands: bool = False,
     ) -> None:
-        self.clock, self.can_wait = clock, wait
+        self.clock, self.can_wait, self.stands = clock, wait, stands
         self._lock = threading.Lock()
         self._queue: deque[tuple[float, Command]] = deque(maxlen=MAX_QUEUE)
         self._keys_at = -math.inf
-        self.playing = True
+        self.playing = not stands
         self.lesson_begun = self.awaits_answer = self.follows_energy = False
         self.generation = self.openings = self.scenes = self.revision = 0
         self.history, self.versions = History(), Versions()

@@ -13,6 +13,8 @@ from pathlib import Path
 from sim.engine.numerics.waves import SHARPNESS as SHARPNESS
 from sim.store.link import PATH
 
+from ..bundle import compact_style
+
 # ------------------------------------------------------------------------- colours
 COLORS = {
     "paper": ("ffffff", "141414"),
@@ -80,6 +82,36 @@ SHADES = {
 """Colours of styles alone: over which a dialog stands; the ground of a QR code, white for every camera; what
 is printed, on white paper even where the page is dark."""
 
+MORE = {
+    "line": ("b4bfce", "465266"),
+    "edge": ("475569", "b4c0d0"),
+    "text": ("1e293b", "f3f6fa"),
+    "strong": ("0b1220", "ffffff"),
+    "quiet": ("334155", "dbe2ec"),
+    "brand": ("2a3fae", "a5b6ff"),
+    "brand-over": ("22348f", "bccaff"),
+    "brand-word": ("2a3fae", "bccaff"),
+    "good": ("14532b", "86efac"),
+    "good-bar": ("1f7a3d", "5fd38d"),
+    "warn": ("7f2a06", "ffc299"),
+    "bad": ("8f1616", "ffb4b4"),
+    "call": ("5c3b00", "ffe3a3"),
+    "call-edge": ("8a5a12", "e0ae5a"),
+}
+"""Other colours for who wishes more contrast: 7 to 1 for letters, 4.5 to 1 for the edges of controls."""
+
+FORCED = {
+    **dict.fromkeys(("paper", "panel", "float", "key", "key-over"), "Canvas"),
+    **dict.fromkeys(("brand-soft", "good-soft", "warn-soft", "call-soft"), "Canvas"),
+    **dict.fromkeys(("text", "strong", "quiet", "edge", "good", "warn", "bad", "call"), "CanvasText"),
+    **dict.fromkeys(("brand", "brand-over", "call-edge"), "Highlight"),
+    "on-brand": "HighlightText",
+    **dict.fromkeys(("brand-word", "good-bar"), "LinkText"),
+    "grid": "color-mix(in srgb, CanvasText 14%, Canvas)",
+    "line": "color-mix(in srgb, CanvasText 40%, Canvas)",
+}
+"""Colours where the system forces its own (`forced.css`); those of the body stay."""
+
 # ------------------------------------------------------------------------- sizes and times
 FONT = '"Inter", system-ui, -apple-system, "Segoe UI", Roboto, sans-serif'
 """Of all words; a file that is saved carries no Inter, and has the system's letters."""
@@ -89,6 +121,9 @@ CODE_FONT = "ui-monospace, Menlo, Consolas, monospace"
 
 TYPE = ((12, 16), (14, 20), (16, 24), (20, 28), (28, 36), (40, 48))
 """Sizes of letters and of their lines, px: notes, controls, what is read, titles, heads, what is shown."""
+
+LETTERS = 16.0
+"""Size of letters, px, unless the browser's user wishes larger ones: with these, all grow."""
 
 GAPS = (4, 8, 12, 16, 20, 24, 32, 48)
 """Distances, px."""
@@ -121,7 +156,20 @@ SHADOWS = {
 }
 """Shadows, on white and on dark, where each has a line, since shadows vanish there."""
 
-OF_STYLES = ("COLORS", "TUTORIAL_COLORS", "SHADES", "FONT", "CODE_FONT", "TYPE", "GAPS", "RADII", "HEIGHTS")
+OF_STYLES = (
+    "COLORS",
+    "MORE",
+    "FORCED",
+    "TUTORIAL_COLORS",
+    "SHADES",
+    "FONT",
+    "CODE_FONT",
+    "TYPE",
+    "LETTERS",
+    "GAPS",
+    "RADII",
+    "HEIGHTS",
+)
 OF_STYLES += ("TIMES", "CURVE", "SHADOWS", "BY_SYSTEM", "OF_STYLES", "PATH")
 """What scripts do not use."""
 
@@ -300,14 +348,14 @@ BY_SYSTEM = "@media (prefers-color-scheme: dark){*}"
 
 
 def style_rules(dark: str) -> str:
-    """All that styles use, as variables of CSS, and the layers as classes of SVG.
+    """All that styles use, as variables of CSS, layers as classes of SVG, and the rules of forced colours.
 
     The variables begin with --softrod-:
 
         paper, text, brand, ...     each of `COLORS` and of `SHADES`, light and dark
         font, font-code             families
-        type-1 ... type-6           sizes of letters: 12, 14, 16, 20, 28, 40 px
-        line-1 ... line-6           heights of their lines: 16, 20, 24, 28, 36, 48 px
+        type-1 ... type-6           sizes of letters: 12, 14, 16, 20, 28, 40 px, or larger as the browser's
+        line-1 ... line-6           heights of their lines: 16, 20, 24, 28, 36, 48 px, as well
         gap-4, -8, -12, -16, -20, -24, -32, -48
         radius-6, -8, -12, -16
         height-least, -panel, -bar, -thumb    24, 32, 40, 48 px; -panel and -bar 48 on touch screens
@@ -315,6 +363,10 @@ def style_rules(dark: str) -> str:
         curve                       how what moves comes to rest
         shadow-bar, -menu, -dialog  in the dark with a line
         arrow-width                 of the shafts on the canvas
+        pale                        opacity of words that matter less
+
+    Colours are those of `MORE` where the root has the attribute data-softrod-contrast or the system asks for
+    more contrast, and of `FORCED` where it forces its own.
 
     Args:
         dark: wraps a rule for dark paper, with * in place of the rule.
@@ -325,9 +377,16 @@ def style_rules(dark: str) -> str:
         | {f"shadow-{name}": pair[k] for name, pair in SHADOWS.items()}
         for k in (0, 1)
     )
-    sizes = {"arrow-width": f"{ARROW:g}px", "font": FONT, "font-code": CODE_FONT, "curve": CURVE}
+    more = [{name: f"#{pair[k]}" for name, pair in MORE.items()} | {"pale": "1"} for k in (0, 1)]
+    sizes = {
+        "pale": "0.8",
+        "arrow-width": f"{ARROW:g}px",
+        "font": FONT,
+        "font-code": CODE_FONT,
+        "curve": CURVE,
+    }
     for i, (size, line) in enumerate(TYPE, start=1):
-        sizes |= {f"type-{i}": f"{size}px", f"line-{i}": f"{line}px"}
+        sizes |= {f"type-{i}": f"{size / LETTERS:g}rem", f"line-{i}": f"{line / LETTERS:g}rem"}
     for name, pixels in (("gap", GAPS), ("radius", RADII)):
         sizes |= {f"{name}-{size}": f"{size}px" for size in pixels}
     sizes |= {f"height-{name}": f"{size}px" for name, size in HEIGHTS.items()}
@@ -335,8 +394,22 @@ def style_rules(dark: str) -> str:
     touch = f"@media (pointer: coarse){{{_root({'height-panel': thumb, 'height-bar': thumb})}}}"
     times = {name: f"{milliseconds}ms" for name, milliseconds in TIMES.items()}
     still = f"@media (prefers-reduced-motion: reduce){{{_root(dict.fromkeys(TIMES, '0s'))}}}"
-    rules = _root(light | sizes | times), dark.replace("*", _root(night)), still, touch
-    return "\n".join((*rules, *map(_layer_rule, LAYERS)))
+    switched = [_root(colors).replace(":root", ":root[data-softrod-contrast]", 1) for colors in more]
+    asked = _root(more[0]) + dark.replace("*", _root(more[1]))
+    forced = {name: f"{color} !important" for name, color in FORCED.items()}
+    rules = (
+        _root(light | sizes | times),
+        dark.replace("*", _root(night)),
+        switched[0],
+        dark.replace("*", switched[1]),
+        f"@media (prefers-contrast: more){{{asked}}}",
+        f"@media (forced-colors: active){{{_root(forced)}}}",
+        still,
+        touch,
+    )
+    return "\n".join(
+        (*rules, *map(_layer_rule, LAYERS), compact_style(Path(__file__).with_name("forced.css")))
+    )
 
 
 def _root(variables: dict[str, str]) -> str:

@@ -4,8 +4,8 @@ import { language } from "../words/words.js";
 
 const NAME = "softrod-access";
 const LANGUAGE = "softrod-lang";
-/** Seconds for which the language is kept. */
-const YEAR = 365 * 24 * 3600;
+/** Seconds for which a cookie is kept. */
+export const YEAR = 365 * 24 * 3600;
 
 /**
  * @typedef {object} Access
@@ -14,18 +14,19 @@ const YEAR = 365 * 24 * 3600;
  * @property {boolean} sound whether anything is heard
  * @property {boolean} events whether a screen reader is told what happens
  * @property {boolean} taps whether a tap picks up what can be dragged, and the next one says where it goes
+ * @property {boolean} contrast whether letters and edges stand out more, whatever the system says
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false, sound: true, events: false, taps: false };
+export const USUAL = { letters: "always", still: false, contrast: false, sound: true, events: false, taps: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still, sound, events, taps } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    const { letters, still, contrast, sound, events, taps } = JSON.parse(localStorage.getItem(NAME) || "{}");
     const when = letters === "body" || letters === "never" ? letters : USUAL.letters;
-    return { letters: when, still: still === true, sound: sound !== false, events: events === true, taps: taps === true };
+    return { letters: when, still: still === true, contrast: contrast === true, sound: sound !== false, events: events === true, taps: taps === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;
@@ -60,7 +61,11 @@ export function setAccess(changed) {
 /** Shows them where only the style is concerned. */
 export function apply() {
   document.documentElement.toggleAttribute("data-softrod-still", now.still);
+  document.documentElement.toggleAttribute("data-softrod-contrast", now.contrast);
 }
+
+/** Calls back when the system's wish for less motion changes. @param {() => void} call */
+export const onCalm = (call) => calm && calm.addEventListener("change", call);
 
 /**
  * Whether a key is a character that may be meant for something else than the page: typed by mistake, or said to a program
@@ -70,7 +75,7 @@ export function apply() {
  */
 export function isMeantElsewhere({ key = "", ctrlKey, metaKey, target }) {
   if (now.letters === "always" || key.length !== 1 || ctrlKey || metaKey) return false;
-  return now.letters === "never" || !(target instanceof Element && target.matches(".softrod-body"));
+  return now.letters === "never" || !(target instanceof Element && target.matches(".softrod-body, #canvas"));
 }
 
 /** Speaks another language from now on: the page is loaded anew, and gets its body back. @param {string} tag */

@@ -2,6 +2,7 @@
 /**
  * The head-up display: HTML from the server behind the body, in an element that outlives the panel.
  */
+import { redrawMarks } from "../stage/sight.js";
 import { onMessage } from "../wire/channel.js";
 import { make } from "./dialog.js";
 import { viserCanvas } from "./viser/viser.js";
@@ -22,6 +23,8 @@ export const showHud = () =>
     if (!hud?.isConnected) {
       hud = make("div", "softrod-hud");
       putBehind(hud);
+      // The scale bar keeps out of its way.
+      new ResizeObserver(redrawMarks).observe(hud);
     }
     hud.innerHTML = html;
   });

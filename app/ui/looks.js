@@ -26,11 +26,11 @@ export const hasWords = (canvas) => canvas.width >= WIDTH_FOR_WORDS * larger();
 /** Pixels between a list and the edge of the window. */
 const EDGE = 8;
 
-/** Moves a list down if it would reach beyond the window: beside its button, or over it where there is no room. @param {HTMLElement} list */
+/** Moves a list down or up if it would reach beyond the window: beside its button, or over it where there is no room. @param {HTMLElement} list */
 export function keepInView(list) {
   list.style.translate = "";
-  const { top, left, right, width } = list.getBoundingClientRect();
-  const down = Math.max(0, EDGE - top);
+  const { top, bottom, left, right, width } = list.getBoundingClientRect();
+  const down = Math.max(EDGE - top, 0) - Math.max(bottom + EDGE - window.innerHeight, 0);
   const beside = (list.nextElementSibling?.getBoundingClientRect().width ?? 0) + EDGE;
   const aside = down && width + beside + 2 * EDGE < window.innerWidth ? beside : 0;
   list.style.translate = `${left + right > window.innerWidth ? -aside : aside}px ${down}px`;

@@ -66,6 +66,8 @@ export type Reading = { quantity: string; of: "period" | "value" };
 export type LessonControl = { key: string; label: string };
 /** A line of a plot that is heard. */
 export type HeardLine = { name: string; unit: string; bottom: number; top: number; turns: boolean; values: (number | null)[] };
+/** Whether less motion is wished: a body that is opened then stands until it is played. */
+export type Still = { do: "still"; on: boolean };
 /** A slider of the step's is moved. */
 export type SetNumber = { do: "setNumber"; key: string; value: number };
 /** Something is chosen from a list of the step's. */
@@ -210,7 +212,7 @@ export type Unsent = { do: "unsent"; what: TextKind };
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-export type FromPage = SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | Describe | FollowTouches | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | InView | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
+export type FromPage = Still | SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | Describe | FollowTouches | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | InView | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; axes: Axes; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
 /** What a pupil has to work with: sliders, plots, and arrow keys. */

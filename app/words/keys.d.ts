@@ -13,6 +13,8 @@ export type Words = {
   "access-taps.hint": never;
   "access-larger": never;
   "access-larger.hint": never;
+  "access-contrast": never;
+  "access-contrast.hint": never;
   "access-still": never;
   "access-still.hint": never;
   "access-sound": never;
@@ -1904,6 +1906,7 @@ export type Words = {
   "time-shown.said": "seconds";
   "time-lost": "seconds";
   "time-past": never;
+  "time-stands": never;
   "ui-templates": never;
   "ui-mixed": "setting";
   "ui-mixed.angles": never;

@@ -14,7 +14,10 @@
     const [r, g, b] = color.map((value) => value / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
-  const paper = parse(getComputedStyle(document.documentElement).getPropertyValue("--softrod-paper")).slice(0, 3);
+  const probe = document.body.appendChild(document.createElement("div"));
+  probe.style.background = "var(--softrod-paper)";
+  const paper = parse(getComputedStyle(probe).backgroundColor).slice(0, 3);
+  probe.remove();
   const judge = (element, text) => {
     const chain = [];
     for (let at = element; at; at = at.parentElement) chain.unshift(getComputedStyle(at));

@@ -1,12 +1,18 @@
-"""The page Access of the View menu: language, and letters that are no keys."""
+"""The page Access of the View menu: language, letters that are no keys, motion, contrast."""
 
 from __future__ import annotations
 
+import sim
 from app.session import commands
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk, sandboxes
+from tests.browser.driver import Desk, box_of, sandboxes
+from tests.browser.test_wcag import pale
 
 WORDS = "pack my box with five dozen liquor jugs, 0 or 10. Then go on: quit? "
+SHOWN = "document.body.innerText.replace('drag me\\n', '')"
+"""What a page says, but for the hint, which goes by itself."""
+MANY = 15 * WORDS
+"""More than 200 words."""
 
 
 def opened(desk: Desk, entry: str = "Access and language") -> None:
@@ -60,10 +66,10 @@ def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page:
     desk.page.evaluate("document.activeElement.blur()")
     desk.tell(commands.Play(False))
     desk.rest(2)
-    before = desk.page.evaluate("document.body.innerText"), desk.simulation.time, desk.session.scene
-    desk.page.keyboard.type(WORDS)
+    before = desk.page.evaluate(SHOWN), desk.simulation.time, desk.session.scene
+    desk.page.keyboard.type(MANY)
     desk.rest(3)
-    assert (desk.page.evaluate("document.body.innerText"), desk.simulation.time, desk.session.scene) == before
+    assert (desk.page.evaluate(SHOWN), desk.simulation.time, desk.session.scene) == before
     # Keys that are no letters go on working, and with the focus on the body letters do if that is wished.
     opened(desk)
     letters = desk.page.locator("dialog.softrod-access select").nth(1)
@@ -76,6 +82,70 @@ def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page:
     desk.page.locator(".softrod-body").focus()
     desk.page.keyboard.press("n")
     desk.until(lambda: desk.simulation.time > before[1], "a step")
+
+
+def test_where_less_motion_is_wished_what_is_opened_stands_until_it_is_played(open_page: OpenPage) -> None:
+    desk = open_page("rope")
+    desk.changed = True
+    desk.page.emulate_media(reduced_motion="reduce")
+    desk.page.evaluate("new Promise((done) => setTimeout(done, 100))")
+    desk.page.evaluate("sessionStorage.clear(); Storage.prototype.setItem = () => {}")
+    desk.open()
+    says = desk.page.get_by_text("the body stands until you press Play")
+    assert desk.simulation.time == 0.0 and not desk.session.playing
+    desk.until(lambda: says.is_visible(), "it says so")
+    desk.page.locator(".softrod-play").click()
+    desk.until(lambda: desk.simulation.time > 0.0, "it is played")
+    desk.until(lambda: not says.is_visible(), "it is no longer said")
+    # Another scene stands, too; without that wish it moves at once.
+    desk.tell(commands.Open(sim.load_scene("tree")))
+    desk.until(lambda: says.is_visible(), "the other body stands")
+    assert desk.simulation.time == 0.0
+    desk.page.emulate_media(reduced_motion="no-preference")
+    desk.until(lambda: not desk.session.stands, "the server knows")
+    desk.tell(commands.Open(sim.load_scene("rope")), commands.Play(True))
+    desk.until(lambda: desk.simulation.time > 0.0, "it moves")
+
+
+def test_more_contrast_is_kept_by_the_device(open_page: OpenPage) -> None:
+    desk = open_page("rope", size=(1280, 800))
+    desk.changed = True
+    for look in ("light", "dark"):
+        if look == "dark":
+            desk.view("Dark")
+            desk.until(lambda: desk.tab.probe().looks.dark, "it is dark")
+        else:
+            opened(desk)
+            desk.page.get_by_label("More contrast").check()
+            desk.page.keyboard.press("Escape")
+            assert desk.page.evaluate("JSON.parse(localStorage['softrod-access']).contrast")
+        for tab in ("Play", "Measure", "Solver", "Share"):
+            desk.show(tab)
+            desk.rest(2)
+            assert pale(desk.page, 7.0) == [], (look, tab)
+
+
+def test_a_line_above_the_canvas_and_the_scale_bar_keep_out_of_each_other_s_way(open_page: OpenPage) -> None:
+    desk = open_page("rope", (360, 740), phone=True, path="/?lang=fr")
+    desk.tell(commands.Play(False))
+    desk.until(lambda: "en pause" in desk.hud(), "nothing comes any more")
+    line = "se déplace avec NumPy jusqu’à ce que la méthode soit compilée : 3 parties sur 7 prêtes"
+    hud, scale = desk.page.locator(".softrod-hud"), desk.page.locator(".softrod-scale-text")
+
+    hud.evaluate("(hud, line) => hud.insertAdjacentHTML('afterbegin', `${line}<br>`)", line)
+
+    def is_below() -> bool:
+        above, below = box_of(hud), box_of(scale)
+        return above["y"] + above["height"] <= below["y"] + 1.0
+
+    desk.until(is_below, "the bar is below the line")
+
+
+def test_a_closed_list_shows_numbers_and_units_in_their_order(open_page: OpenPage) -> None:
+    desk = open_page("rope", path="/?lang=ar")
+    desk.page.get_by_role("tab").nth(1).click()
+    chosen = desk.page.locator(".softrod-panel select:visible option:checked").filter(has_text="10 s").first
+    assert chosen.evaluate("(option) => getComputedStyle(option).unicodeBidi") == "plaintext"
 
 
 def test_the_body_is_described_at_a_key_for_eyes_and_ears(open_page: OpenPage) -> None:

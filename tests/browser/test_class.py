@@ -27,6 +27,7 @@ from app.session.session import Session
 from app.words import PSEUDO
 from sim.compiling.compiler import ENTRY_POINTS
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
+from tests.amount import part_of
 from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
@@ -319,6 +320,23 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     expect(pupil.locator(".softrod-seat h1")).to_have_text("The class is over.")
     assert not list(kept.classes_folder().iterdir())
     wire.close()
+
+
+@pytest.mark.parametrize("tag", part_of(("en", "de", "fr", "es", "tr", "ar"), 6))
+def test_the_desk_s_head_has_room_and_words_do_nothing_where_letters_are_no_keys(
+    school: School, tag: str
+) -> None:
+    address = desk_address(school.base, school.classroom).replace("?", f"?lang={tag}&")
+    off = "localStorage.setItem('softrod-access', JSON.stringify({ letters: 'never' }))"
+    desk = school.open(address, (1280, 720), script=off)
+    expect(desk.locator(".softrod-desk-code")).to_have_text(school.classroom.room.code)
+    beyond = "(part) => part.scrollWidth - part.clientWidth"
+    assert desk.locator(".softrod-desk").evaluate(beyond) == 0
+    desk.evaluate("document.activeElement.blur()")
+    before = desk.locator("body").inner_text(), school.classroom.room.phase
+    desk.keyboard.type(15 * "pack my box with five dozen liquor jugs, 0 or 10. Then go on: quit? ")
+    desk.wait_for_timeout(200)
+    assert (desk.locator("body").inner_text(), school.classroom.room.phase) == before
 
 
 def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: School) -> None:

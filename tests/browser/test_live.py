@@ -238,6 +238,30 @@ def test_by_touch_on_a_phone_and_nothing_lies_over_another(open_file: Open) -> N
     assert page.evaluate("document.documentElement.scrollWidth") <= 390
 
 
+def test_the_first_look_stands_where_less_motion_is_wished_and_letters_may_be_no_keys(
+    visit: Visits, tmp_path: Path
+) -> None:
+    path = tmp_path / "rope.html"
+    path.write_bytes(live_html(sim.Simulation(sim.load_scene("rope")).capture())[0])
+    page = visit(path.as_uri(), reduced_motion="reduce")
+    says = page.get_by_text("the body stands until you press Play")
+    says.wait_for()
+    page.wait_for_timeout(200)
+    assert number(page, "time") == 0.0
+    page.locator("#view").click()
+    page.get_by_role("button", name="Letters as keys").click()
+    page.keyboard.press("Escape")
+    page.evaluate("document.activeElement.blur()")
+    before = page.locator("html").get_attribute("class"), page.locator("body").inner_text()
+    page.keyboard.type(15 * "pack my box with five dozen liquor jugs, 0 or 10. Then go on: quit? ")
+    assert (page.locator("html").get_attribute("class"), page.locator("body").inner_text()) == before
+    assert number(page, "time") == 0.0
+    assert not page.evaluate("document.documentElement.hasAttribute('data-dark')")
+    page.locator("#play").click()
+    until(page, lambda: number(page, "time") > 0.0, "it is played")
+    assert says.is_hidden()
+
+
 def test_a_body_that_runs_away_is_stopped_and_begins_anew(open_file: Open) -> None:
     page = open_file("tutorial-3.3")
     page.get_by_label("Stretching stiffness").focus()

@@ -1,5 +1,6 @@
 // What of a page can be seen and pressed, by words, roles and places alone, so that it serves any page.
-// Evaluates to an object: pressables(), small(least), covered(layers), cut(), zooms(), plain(); each entry is plain data.
+// Evaluates to an object: pressables(), small(least), crowded(least), covered(),
+// sideways(), unreached(within), cut(), zooms(), plain(); each entry is plain data.
 (() => {
   const PRESSABLE =
     "button, a[href], input:not([type=hidden]), select, textarea, summary, [role=button], [role=tab], [role=switch], " +
@@ -130,7 +131,7 @@
   };
 
   // Targets with less than `least` px to hit, either way. Links within a sentence may be as high as its lines.
-  const small = (least) =>
+  const smalls = (least) =>
     all()
       .filter((element) => {
         const rects = [element, ...(element.labels ?? [])].map((one) => one.getBoundingClientRect());
@@ -154,11 +155,33 @@
         const found = !steps.some((shiftX) => steps.some((shiftY) => reaches(shiftX, shiftY)));
         back();
         return found;
-      })
-      .map((element) => {
-        const { width, height } = element.getBoundingClientRect();
-        return { kind: kindOf(element), words: words(element).slice(0, 60), more: `${Math.round(width)} x ${Math.round(height)}` };
       });
+  const small = (least) => smalls(least).map(told);
+  const told = (element) => {
+    const { width, height } = element.getBoundingClientRect();
+    return { kind: kindOf(element), words: words(element).slice(0, 60), more: `${Math.round(width)} x ${Math.round(height)}` };
+  };
+
+  // WCAG 2.2, 2.5.8: small targets whose circle of `least` px about their middle meets another target.
+  const crowded = (least) => {
+    const r = least / 2;
+    const middle = ({ left, top, width, height }) => [left + width / 2, top + height / 2];
+    const isSmall = new Set(smalls(least));
+    const boxes = all().map((element) => [element, element.getBoundingClientRect()]);
+    return [...isSmall]
+      .filter((element) => {
+        const [x, y] = middle(element.getBoundingClientRect());
+        return boxes.some(([other, box]) => {
+          if (other === element || other.contains(element) || element.contains(other)) return false;
+          if ([...(element.labels ?? [])].some((label) => label.contains(other))) return false;
+          const [ox, oy] = middle(box);
+          if (isSmall.has(other) && Math.hypot(ox - x, oy - y) < least) return true;
+          const [dx, dy] = [Math.max(box.left - x, 0, x - box.right), Math.max(box.top - y, 0, y - box.bottom)];
+          return Math.hypot(dx, dy) < r;
+        });
+      })
+      .map(told);
+  };
 
   // Things that cannot be pressed in their middle, since something lies there. What has appeared since
   // `remember` may lie over what was there before.
@@ -182,6 +205,32 @@
     }
     return found;
   };
+
+  // What scrolls sideways, but for what is drawn; and what can be pressed nowhere, wherever one scrolls.
+  const sideways = () => {
+    const found = [];
+    const wide = document.scrollingElement;
+    if (wide.scrollWidth > innerWidth + 1) found.push({ kind: "page", words: "", more: `${wide.scrollWidth} in ${innerWidth} px` });
+    for (const element of front().querySelectorAll("*")) {
+      if (element.scrollWidth <= element.clientWidth + 1 || !isShown(element) || element.matches("input, textarea, select")) continue;
+      if (!["auto", "scroll"].includes(getComputedStyle(element).overflowX)) continue;
+      found.push({ kind: element.className || element.localName, words: tidy(element.innerText).slice(0, 60), more: `${element.scrollWidth} in ${element.clientWidth} px` });
+    }
+    return found;
+  };
+  const unreached = (within) =>
+    all()
+      .filter((element) => !element.matches(":disabled") && element.closest(within))
+      .map((element) => {
+        const back = put(element);
+        const { left, top, width, height } = element.getBoundingClientRect();
+        const [x, y] = [left + width / 2, top + height / 2];
+        const hit = document.elementFromPoint(x, y);
+        const fault = owns(element, hit) ? null : { ...told(element), more: hit ? `under ${words(hit.closest(PRESSABLE) ?? hit).slice(0, 40)}` : "out of the window" };
+        back();
+        return fault;
+      })
+      .filter(Boolean);
 
   const cut = () => {
     const found = [];
@@ -254,6 +303,6 @@
     return [...found].map(([text, element]) => ({ kind: kindOf(element), words: text.slice(0, 100), more: element.closest("[class]")?.className?.toString().slice(0, 60) ?? "" }));
   };
 
-  const api = { pressables, small, covered, cut, zooms, plain, remember, elements: [] };
+  const api = { pressables, small, crowded, covered, sideways, unreached, cut, zooms, plain, remember, elements: [] };
   return (window.visibleThings = api);
 })()

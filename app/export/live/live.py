@@ -99,6 +99,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <div id="numbers"></div>
 {folds}</aside>
 <section class="bar" aria-label="{said("live-time")}">
+<p id="stands" hidden>{said("time-stands")}</p>
 <button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{play}</button>
 <button id="step" type="button" aria-label="{said("live-step")}">+1</button>
 <button id="reset" type="button" aria-label="{said("live-reset")}">{reset}</button>

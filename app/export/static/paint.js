@@ -21,6 +21,7 @@ import { drivenArrows } from "../../stage/driven_arrows.js";
 // endif
 import { moving, standing, streaks } from "../../stage/environment.js";
 import { ARROW, LAYERS, MARGIN } from "../../stage/looks.js";
+import { isStill } from "../../ui/access.js";
 // ifdef HAS_DRIVEN
 import { RESTS } from "../../stage/looks.js";
 // endif
@@ -106,7 +107,7 @@ export function paint(stage, canvas, { plan, frame, damage }) {
     else to.stroke(path);
   }
   to.globalAlpha = 1;
-  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const still = isStill();
   const body = { plan, frame, world, damage, still };
   for (const { mesh, draw, has } of Object.values(NODES)) {
     if (has?.(body) ?? true) stamp(to, stage.meshes[mesh || stage.springs], draw(body), on);

@@ -1,8 +1,9 @@
 // @ts-check
 /** The page Access of the View menu: a dialog of settings that this device keeps. */
-import { access, apply, setAccess, speak } from "../../ui/access.js";
+import { YEAR, access, apply, isStill, onCalm, setAccess, speak } from "../../ui/access.js";
 import { make, makeDialog } from "../../ui/dialog.js";
 import { isProjector, toggleProjector } from "../../ui/looks.js";
+import { send } from "../../wire/channel.js";
 import { language, languages, say } from "../../words/words.js";
 
 /**
@@ -61,7 +62,8 @@ function show() {
     row(letters, say("access-letters"), say("access-letters.hint")),
     row(toggle(access().taps, (taps) => setAccess({ taps })), say("access-taps"), say("access-taps.hint")),
     row(toggle(isProjector(), toggleProjector), say("access-larger"), say("access-larger.hint")),
-    row(toggle(access().still, (still) => setAccess({ still })), say("access-still"), say("access-still.hint")),
+    row(toggle(access().contrast, (contrast) => setAccess({ contrast })), say("access-contrast"), say("access-contrast.hint")),
+    row(toggle(access().still, (still) => (setAccess({ still }), tellStill())), say("access-still"), say("access-still.hint")),
     row(toggle(access().sound, (sound) => setAccess({ sound })), say("access-sound"), say("access-sound.hint")),
     row(toggle(access().events, (events) => setAccess({ events })), say("access-events"), say("access-events.hint")),
     make("p", "softrod-access-hint", say("access-kept")),
@@ -70,5 +72,22 @@ function show() {
   dialog.showModal();
 }
 
+/** The server reads it before it shows a page's first body, which then stands. */
+const keepStill = () => (document.cookie = `softrod-still=${Number(isStill())}; path=/; max-age=${YEAR}; samesite=lax`);
+
+// Before the page connects.
+keepStill();
+
+/** Tells the server whether bodies that are opened from now on stand. */
+function tellStill() {
+  keepStill();
+  send({ do: "still", on: isStill() });
+}
+
+function begin() {
+  apply();
+  onCalm(tellStill);
+}
+
 /** @type {import("../../ui/feature.js").Feature<"access">} */
-export default { commands: { access: show }, begin: apply };
+export default { commands: { access: show }, begin };

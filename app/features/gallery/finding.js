@@ -1,5 +1,6 @@
 // @ts-check
 /** How scenes on cards are searched, and where arrows lead among them: in the page's gallery, and in one that is a site. */
+import { isMeantElsewhere } from "../../ui/access.js";
 import { direction, folded } from "../../words/words.js";
 
 const [BACK, ON] = direction === "rtl" ? ["ArrowRight", "ArrowLeft"] : ["ArrowLeft", "ArrowRight"];
@@ -64,7 +65,7 @@ export function moveByKey(event, search, cards, first = cards[0]) {
     if (key === "ArrowUp" && to === from) search.focus();
     else focusCard(cards[to]);
   } else {
-    if (key.length === 1 && key !== " " && !(target instanceof HTMLInputElement)) search.focus(); // which takes the letter
+    if (key.length === 1 && key !== " " && !(target instanceof HTMLInputElement) && !isMeantElsewhere(event)) search.focus(); // which takes the letter
     return false;
   }
   event.preventDefault();

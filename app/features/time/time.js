@@ -2,6 +2,7 @@
 /** The bar under the body: play and pause, steps, going back in time, speed and the clock. */
 import { FRACTIONS, SPEEDS } from "../../stage/looks.js";
 import { onPicture } from "../../stage/canvas.js";
+import { isStill } from "../../ui/access.js";
 import { nextStep, timeNow } from "../../ui/clock.js";
 import { has, onMessage, pageState, send } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
@@ -156,11 +157,14 @@ function timeSlider() {
 function offers() {
   const line = make("div", "softrod-line");
   const [before, past, forget] = [offerButton("before"), make("span", "softrod-past"), offerButton("forget")];
-  line.append(before, past, forget);
+  const stands = make("span", "softrod-past", say("time-stands"));
+  line.append(before, past, stands, forget);
   const show = () => {
     const { offer, future, scrubbed, start = 0 } = pageState();
     before.hidden = !offer;
     forget.hidden = !future;
+    const { page, playing, lesson } = pageState();
+    stands.hidden = !(isStill() && page && !playing && !lesson && timeNow() === 0);
     const lost = scrubbed && start > 0 ? say("time-lost", { seconds: decimal(start.toFixed(1)) }) : "";
     past.textContent = future ? say("time-past") : lost;
   };

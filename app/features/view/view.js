@@ -160,9 +160,10 @@ class ViewMenu {
   }
 }
 
-/** Keeps the page dark when its tab goes to another scene's address; a reload gets all of its state back. */
+/** Has the page dark where the system forces dark colours, and keeps it so when its tab goes to another scene's address; a reload gets all of its state back. */
 function restoreDark() {
-  let wanted = kept(DARK) === "1" && !hasKept();
+  const isForced = ["(forced-colors: active)", "(prefers-color-scheme: dark)"].every((query) => matchMedia(query).matches);
+  let wanted = (isForced || kept(DARK) === "1") && !hasKept();
   onMessage("pageState", ({ page }) => {
     if (!page || !wanted) return;
     wanted = false;

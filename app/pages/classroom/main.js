@@ -2,6 +2,7 @@
 /** Starts a class's page: a pupil's, or the wall, as the page's address says. It is drawn on a canvas, without viser. */
 import { ready } from "./older.js";
 import { element } from "../../export/static/parts.js";
+import { apply } from "../../ui/access.js";
 import { listenToTaps } from "../../ui/hands/taps.js";
 import { identify } from "../../ui/owner.js";
 import { make } from "../../ui/dialog.js";
@@ -16,6 +17,7 @@ import { addWall } from "./wall.js";
 if (ready) {
   identify();
   listenToTaps();
+  apply();
   const picture = new Picture(element("canvas", HTMLCanvasElement), JSON.parse(element("shapes", HTMLScriptElement).textContent || ""));
   const as = new URLSearchParams(location.search).get("as");
   document.documentElement.dataset.softrodClass = as === "wall" ? "wall" : "seat";

@@ -10,6 +10,7 @@ import secrets
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
+from functools import partial
 from typing import Any
 
 import viser
@@ -71,6 +72,7 @@ class Tab:
         for_others: converts the address of the page into one by which others reach it.
         role_of: makes the role of the page in a class from its mail; None if it is in no class.
         begin_class: see `Page`.
+        stands: whether a body that is opened stands until it is played.
         is_taught: returns True while a class goes through a lesson, which only the owner then sees elsewhere.
     """
 
@@ -85,8 +87,10 @@ class Tab:
         role_of: Callable[[Mail], Role | None] = lambda _: None,
         begin_class: Callable[[sim.Scene], str] | None = None,
         is_taught: Callable[[Lesson], bool] = lambda _: False,
+        stands: bool = False,
     ) -> None:
         self.client, self.language = client, language()
+        self._make_session = partial(Session, wait=False, stands=stands)
         self._for_others, self._begin_class, self._is_taught = for_others, begin_class, is_taught
         self._mail = Mail(by_viser(client))
         self._notices = NoticeBoard(client)
@@ -265,9 +269,9 @@ class Tab:
             made = done.result()
         elif session is None:
             if is_large(self._first):
-                self._under_way = beside(Session, self._first, wait=False)
+                self._under_way = beside(self._make_session, self._first)
                 return True
-            made = Session(self._first, wait=False)
+            made = self._make_session(self._first)
         else:
             made = session
             self._serve_requests(session)

@@ -1,6 +1,7 @@
 // @ts-check
 /** The bar of a page of a gallery: the page as a file of its own, and a key that leads back. */
 import { element } from "../../export/static/parts.js";
+import { isMeantElsewhere } from "../../ui/access.js";
 import { download } from "../../ui/download.js";
 import { keepGallery } from "./keep.js";
 
@@ -17,9 +18,10 @@ function save(name) {
 function addBar() {
   const button = element("save", HTMLButtonElement);
   button.addEventListener("click", () => save(button.dataset.file ?? ""));
-  document.addEventListener("keydown", ({ key, target, ctrlKey, metaKey, altKey }) => {
+  document.addEventListener("keydown", (event) => {
+    const { key, target, ctrlKey, metaKey, altKey } = event;
     const writes = target instanceof Element && target.matches("input, textarea, select");
-    if (key.toLowerCase() !== "o" || ctrlKey || metaKey || altKey || writes) return;
+    if (key.toLowerCase() !== "o" || ctrlKey || metaKey || altKey || writes || isMeantElsewhere(event)) return;
     document.querySelector(/** @type {"a"} */ ("#bar .all"))?.click();
   });
 }

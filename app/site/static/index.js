@@ -6,6 +6,7 @@
  * @typedef {{name: string, file: string, title: string, text: string, group: string}} Scene
  */
 import { element } from "../../export/static/parts.js";
+import { isMeantElsewhere } from "../../ui/access.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { isFound, moveByKey } from "../../features/gallery/finding.js";
 import { say } from "../../words/words.js";
@@ -97,7 +98,7 @@ document.addEventListener("keydown", (event) => {
     seek("");
     address({});
     if (target === search) search.blur();
-  } else if (target !== search && key === "/") {
+  } else if (target !== search && key === "/" && !isMeantElsewhere(event)) {
     search.focus();
     search.select();
   } else {

@@ -8,3 +8,4 @@ time-shown = Gezeigte Zeit
     .said = { $seconds } Sekunden
 time-lost = In der Zeit vor { $seconds } s ist zu viel geschehen, um alles aufzuheben.
 time-past = Die dünne Linie zeigt, was geschah, bevor du zurückgegangen bist.
+time-stands = Weniger Bewegung ist gewünscht: Der Körper steht, bis du auf Abspielen drückst.

@@ -13,3 +13,5 @@ time-shown = Time shown
 # The oldest moments of a long run are dropped.
 time-lost = Of the time before { $seconds } s too much happened to be kept.
 time-past = The thin line is what happened before you went back.
+# While less motion is wished; Play is what the button of the bar is called.
+time-stands = Less motion is wished, so the body stands until you press Play.

@@ -8,3 +8,4 @@ time-shown = Instante mostrado
     .said = { $seconds } segundos
 time-lost = Antes de { $seconds } s ocurrieron demasiadas cosas para conservarlas todas.
 time-past = La línea fina es lo que ocurrió antes de que retrocedieras.
+time-stands = Se desea menos movimiento: el cuerpo queda quieto hasta que pulses Reproducir.

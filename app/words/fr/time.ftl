@@ -11,3 +11,4 @@ time-shown = Instant affiché
     }
 time-lost = Avant { $seconds } s, il s’est passé trop de choses pour tout garder.
 time-past = La ligne fine montre ce qui s’est passé avant ton retour en arrière.
+time-stands = Moins de mouvement est souhaité : l’objet reste immobile jusqu’à ce que tu appuies sur Lancer.

@@ -8,3 +8,4 @@ time-shown = Gösterilen zaman
     .said = { $seconds } saniye
 time-lost = İlk { $seconds } s içinde, saklanamayacak kadar çok şey oldu.
 time-past = İnce çizgi, geri gitmenden önce olanları gösterir.
+time-stands = Daha az hareket isteniyor: cisim, sen Oynat düğmesine basana kadar durur.

@@ -84,7 +84,10 @@ export class Course {
     this.run = new LessonRun(element("lesson", HTMLElement), steps, this.state.at, this.state.steps, {
       blank,
       begin: (waits) => this.#begin(waits),
-      run: () => (this.run.step.run ? this.run.begin() : body.run()),
+      run: () => {
+        if (this.run.step.run) this.run.begin();
+        body.run();
+      },
       store: (isAnswer) => this.#store(isAnswer),
       more: () => this.#more(),
     });
@@ -132,7 +135,9 @@ export class Course {
       run.present.places = this.body.places();
       run.changed();
       run.begin();
-      if (!run.waits) run.focus(".softrod-lesson-do");
+      if (run.waits) return;
+      this.body.run();
+      run.focus(".softrod-lesson-do");
     }, "softrod-button softrod-first");
     return [make("p", "", say("live-predict", { time: predict })), button];
   }

@@ -19,6 +19,7 @@
  * @property {string[]} plans arrays as pages get them: the plan on white and on dark paper
  * @typedef {import("../../static/paint.js").Stage & Told} About
  */
+import { isStill } from "../../../ui/access.js";
 import { readPlan, UNHARMED } from "../../../stage/plan.js";
 import { say } from "../../../words/words.js";
 import { paint, screenOf } from "../../static/paint.js";
@@ -85,7 +86,7 @@ export class Live {
     }
     // endif
     this.panel.setUp(about.settings, about.settings.map(({ key }) => key));
-    this.play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+    this.play(!isStill());
   }
 
   get plan() {
@@ -95,6 +96,11 @@ export class Live {
   /** Where the world is in the canvas. */
   get place() {
     return screenOf(this.shown, this.canvas);
+  }
+
+  /** Whether the body stands only because less motion is wished. */
+  get stands() {
+    return isStill() && !this.playing && this.body.time === 0 && !this.course?.run.waits;
   }
 
   get body() {
@@ -130,7 +136,7 @@ export class Live {
     element("charts", HTMLElement).replaceChildren(...this.#charts.map(({ element }) => element));
     this.#record = new Recording({ goal: step.goal, names: step.plots.flatMap(({ names, over }) => (over ? [...names, over] : names)) });
     this.#reset();
-    this.play(!waits);
+    this.play(!waits && !isStill());
   }
 
   #look() {

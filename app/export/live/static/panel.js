@@ -7,6 +7,7 @@
  * @typedef {import("./settings.js").Setting} Setting
  * @typedef {import("./steps.js").Steering} Steering
  */
+import { isMeantElsewhere } from "../../../ui/access.js";
 import { heldArrow } from "../../../ui/hands/arrow_keys.js";
 import { listenToPad, releasePad } from "../../../ui/hands/arrow_pad.js";
 import { say } from "../../../words/words.js";
@@ -38,6 +39,7 @@ export class Panel {
     this.readings = part("numbers");
     this.rows = part("sliders");
     this.others = part("others");
+    this.stands = part("stands");
     this.play = button("play");
     this.follow = button("follow");
     this.clock = element("clock", HTMLOutputElement);
@@ -81,7 +83,7 @@ export class Panel {
     }
     if (repeat || (key === " " && target.matches("button, summary"))) return;
     const does = this.keys[key.toLowerCase()];
-    if (!does) return;
+    if (!does || isMeantElsewhere(event)) return;
     event.preventDefault();
     does();
   }
@@ -130,6 +132,7 @@ export class Panel {
       this.#due = 0;
     }
     this.follow.ariaPressed = String(hands.follows);
+    this.stands.hidden = !this.live.stands;
     if (stopped.hidden === clock.exploded) {
       stopped.hidden = !clock.exploded;
       this.cause.textContent = clock.cause;

@@ -1,5 +1,6 @@
 // @ts-check
 /** How a live file looks: on white or dark paper, larger for a projector; and the dialog with these and with the keys. */
+import { access, apply, setAccess } from "../../../ui/access.js";
 import { make, makeButton, makeDialog } from "../../../ui/dialog.js";
 import { say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
@@ -50,6 +51,19 @@ export function addView(has) {
   larger.ariaPressed = "false";
   const row = make("div", "softrod-dialog-line");
   row.append(dark, larger);
+  /** A switch that this device keeps. @param {string} name @param {() => boolean} isOn @param {(on: boolean) => void} turn */
+  const addSwitch = (name, isOn, turn) => {
+    const button = makeButton(name, () => {
+      turn(!isOn());
+      button.ariaPressed = String(isOn());
+    });
+    button.ariaPressed = String(isOn());
+    row.append(button);
+  };
+  addSwitch(say("access-contrast"), () => access().contrast, (contrast) => setAccess({ contrast }));
+  addSwitch(say("access-still"), () => access().still, (still) => setAccess({ still }));
+  addSwitch(say("access-letters"), () => access().letters === "always", (on) => setAccess({ letters: on ? "always" : "never" }));
+  apply();
   const table = make("dl", "keys");
   for (const [keys, does, needs] of KEYS) {
     if (needs && !has[needs]) continue;

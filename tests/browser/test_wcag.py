@@ -1,0 +1,219 @@
+"""What WCAG 2.2 asks of a page's layout and colours, measured on every page (`places.py`)."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PIL import Image
+from playwright.sync_api import Browser, Page
+
+from app.classroom import kept
+from tests.amount import part_of
+from tests.browser import seen
+from tests.browser.places import PLACES, Place, Places, places
+from tests.browser.test_class import CONTRAST, a_lesson
+
+GRAPHICS = (Path(__file__).parent / "graphics.js").read_text(encoding="utf-8")
+
+LEAST = 24
+"""Size of a target, CSS px: 2.5.8."""
+SMALLEST = {"width": 320, "height": 256}
+"""The window of 1280 x 1024 at four times the usual size: 1.4.10."""
+DOUBLE = {"width": 640, "height": 512}
+"""The same at twice the usual size: 1.4.4."""
+LARGE = 32
+"""Size of letters, px, in a browser whose user wishes them twice as large."""
+DRAWN, READ = 3.0, 7.0
+"""Least contrast of what is drawn: 1.4.11, and of letters where more is wished: 1.4.6."""
+
+TEACHING = ("wall", "desk")
+"""Made for large screens."""
+SHEETS = ("sandbox", "phone", "lesson", "lesson on a phone")
+"""Their panel is a sheet over the canvas in small windows."""
+
+OVER = ".softrod-over, .softrod-menu, .softrod-box, .softrod-edit, .softrod-pad, .softrod-transport"
+"""What is over the canvas while that sheet is closed."""
+
+TEXTS = """() => {
+  const found = {};
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const { parentElement: at, textContent } = walker.currentNode;
+    const text = textContent.trim();
+    if (!text || !at.checkVisibility({ opacityProperty: true, visibilityProperty: true })) continue;
+    if (at.matches("script, style, option, title, noscript")) continue;
+    if (at.getBoundingClientRect().width < 2) continue;
+    found[text] ??= parseFloat(getComputedStyle(at).fontSize) * (at.currentCSSZoom ?? 1);
+  }
+  return found;
+}"""
+
+
+@pytest.fixture(scope="module")
+def all_places(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Places]:
+    folder = tmp_path_factory.mktemp("places")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kept, "classes_folder", lambda: folder)
+        with places(browser, folder, a_lesson()) as made:
+            yield made
+    assert not made.errors
+
+
+@pytest.fixture(scope="module", params=part_of(list(PLACES), 4))
+def name(request: pytest.FixtureRequest) -> str:
+    """A page's name; all tests of one page follow each other."""
+    return request.param
+
+
+def shown(all_places: Places, name: str, size: dict[str, int] | None = None) -> tuple[Page, Place]:
+    """A page as it is when it is opened, in a window of a size."""
+    place, page = PLACES[name], all_places.open(name)
+    width, height = place.size
+    page.set_viewport_size(size or {"width": width, "height": height})  # type: ignore[arg-type]
+    page.wait_for_timeout(200)
+    return page, place
+
+
+def measured(page: Page, *questions: tuple[str, Any]) -> list[str]:
+    """What is wrong with a page, by these questions to `visible.js`."""
+    return [
+        f"{name}: {fault['kind']} {fault['words']!r} {fault['more']}"
+        for name, *values in questions
+        for fault in seen.ask(page, name, *values)
+    ]
+
+
+def test_every_target_can_be_hit(all_places: Places, name: str) -> None:
+    """In all of its states."""
+    page, _ = shown(all_places, name)
+    found = {state: measured(page, ("crowded", LEAST)) for state in all_places.states(name)}
+    all_places.close()
+    assert not {state: faults for state, faults in found.items() if faults}
+
+
+def test_in_the_smallest_window_all_is_there_and_scrolled_one_way(all_places: Places, name: str) -> None:
+    if name in TEACHING:
+        pytest.skip("it is made for large screens")
+    page, _ = shown(all_places, name, SMALLEST)
+    questions = ("sideways",), ("cut",)
+    within = ".softrod-panel, .softrod-transport" if name in SHEETS else "body"
+    assert measured(page, *questions, ("unreached", within)) == []
+    if name in SHEETS:
+        page.locator(".softrod-handle").click()
+        page.wait_for_timeout(200)
+        over = measured(page, ("unreached", OVER))
+        page.locator(".softrod-handle").click()
+        assert over == []
+
+
+def test_at_twice_the_size_nothing_is_cut_or_covered(all_places: Places, name: str) -> None:
+    page, _ = shown(all_places, name, DOUBLE)
+    questions = [("sideways",), ("cut",)] + ([] if name in TEACHING else [("unreached", "body")])
+    assert measured(page, *questions) == []
+
+
+def test_controls_and_marks_stand_out_also_where_the_system_forces_colours(
+    all_places: Places, name: str
+) -> None:
+    page, _ = shown(all_places, name)
+    dim: list[str] = []
+    for scheme, forced in (("light", "none"), ("light", "active"), ("dark", "active")):
+        page.emulate_media(color_scheme=scheme, forced_colors=forced)  # type: ignore[arg-type]
+        page.wait_for_timeout(300)
+        dim += [f"{scheme}, {forced}: {one}" for one in dim_graphics(page)]
+        if forced == "active":
+            dim += [f"{scheme}, {forced}: {one}" for one in pale(page, 4.5)]
+    page.emulate_media(color_scheme="light", forced_colors="none")
+    assert not dim
+
+
+def test_where_more_contrast_is_wished_letters_have_it(all_places: Places, name: str) -> None:
+    page, _ = shown(all_places, name)
+    found = []
+    for scheme in ("light", "dark"):
+        page.emulate_media(contrast="more", color_scheme=scheme)  # type: ignore[arg-type]
+        page.wait_for_timeout(300)
+        found += pale(page, READ)
+    page.emulate_media(contrast="no-preference", color_scheme="light")
+    assert not found
+
+
+def test_all_letters_grow_with_those_of_the_browser(all_places: Places, name: str) -> None:
+    place = PLACES[name]
+    if place.touch:
+        pytest.skip("phones enlarge the whole page")
+    page, _ = shown(all_places, name)
+    usual = page.evaluate(TEXTS)
+    page.context.new_cdp_session(page).send("Page.setFontSizes", {"fontSizes": {"standard": LARGE}})
+    page.reload()
+    page.wait_for_function(place.ready)
+    page.wait_for_timeout(600)
+    large = page.evaluate(TEXTS)
+    faults = measured(page, ("cut",))
+    all_places.close()
+    both = usual.keys() & large.keys()
+    assert both
+    assert {text: (usual[text], large[text]) for text in both if large[text] < 1.4 * usual[text]} == {}
+    assert faults == []
+
+
+# ------------------------------------------------------------------------- colours
+def pale(page: Page, least: float) -> list[str]:
+    """The texts with less contrast; where they are large, two thirds of it will do."""
+    return [
+        f"{one['text']!r} {one['ratio']}"
+        for one in page.evaluate(CONTRAST)
+        if one["ratio"] < (least * one["needed"] / 4.5)
+    ]
+
+
+def luminance(colors: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Of sRGB colours, 0..255, as WCAG has it."""
+    parts = colors / 255.0
+    parts = np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+    return parts @ (0.2126, 0.7152, 0.0722)
+
+
+def stands_out(picture: NDArray[np.float64], box: tuple[int, int, int, int]) -> bool:
+    """Whether something in a box has a contrast of 3 to 1 with what is around it."""
+    left, top, width, height = box
+    whole = luminance(picture[top - 3 : top + height + 3, left - 3 : left + width + 3])
+    around = float(np.median(np.concatenate((whole[0], whole[-1], whole[:, 0], whole[:, -1]))))
+    inner = whole[3:-3, 3:-3]
+    ratio = (np.maximum(inner, around) + 0.05) / (np.minimum(inner, around) + 0.05)
+    return int((ratio >= DRAWN).sum()) >= 6
+
+
+def dim_graphics(page: Page) -> list[str]:
+    """The controls and marks that do not stand out; twice, as a line may come or go while one looks."""
+    first = _dim_now(page)
+    return [one for one in first if one in _dim_now(page)] if first else []
+
+
+def _dim_now(page: Page) -> list[str]:
+    found = page.evaluate(GRAPHICS)
+    image = Image.open(io.BytesIO(page.screenshot(scale="css"))).convert("RGB")
+    check = partial(stands_out, np.asarray(image, float))
+    return [f"{one['name']} at {one['box']}" for one in found if not check(tuple(one["box"]))]
+
+
+def test_what_does_not_stand_out_is_found(browser: Browser) -> None:
+    page = browser.new_page()
+    page.set_content(
+        "<style>body { margin: 20px } input { border: 1px solid #ddd; display: block; margin: 9px }</style>"
+        "<input aria-label='pale'><input aria-label='dark' style='border-color: #555'>"
+        "<button style='width: 9px; height: 9px; padding: 0'>a</button>"
+        "<button style='width: 9px; height: 9px; padding: 0'>b</button>"
+        "<p style='color: #888'>grey</p>"
+    )
+    assert [one.split()[1] for one in dim_graphics(page)] == ["pale"]
+    assert [one.split()[0] for one in pale(page, READ)] == ["'grey'"]
+    assert len(measured(page, ("crowded", LEAST))) == 2
+    page.close()
