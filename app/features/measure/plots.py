@@ -172,11 +172,23 @@ def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits
     turned = any(plot.turned)
     labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
     name = say("measure-title-over", quantity=", ".join(plot.spec.names), over=plot.spec.over)
+    name = f"{name}. {' '.join(_ranges(plot, drawn))}"
     places = [np.linspace(*fit.ends, FIT_POINTS) for fit in fits]
     curves = [(x, fit.at(x)) for x, fit in zip(places, fits, strict=True)]
     return phase_svg(
         values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name, turned, curves
     )
+
+
+def _ranges(plot: Plot, drawn: PlotWindow) -> Iterator[str]:
+    """Yield a sentence about each quantity, for a screen reader: its value now, and its range."""
+    for quantity, some in zip(plot.quantities, drawn.values[1:, : drawn.past], strict=True):
+        if (known := some[np.isfinite(some)]).size:
+            now, low, high = (
+                f"{readouts.grouped(float(value))} {quantity.unit}".strip()
+                for value in (known[-1], known.min(), known.max())
+            )
+            yield say("measure-range", quantity=quantity.name, now=now, low=low, high=high)
 
 
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
@@ -283,7 +295,7 @@ def title(plot: Plot, series: Sequence[str]) -> str:
         for name, color in zip(plot.spec.names, series, strict=True)
     )
     over = " " + say("measure-over-one", over=html.escape(plot.spec.over)) if plot.spec.over else ""
-    return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
+    return f'<div class="softrod-plot-title" role="heading" aria-level="2">{" ".join(keys)}{over}</div>'
 
 
 def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:
