@@ -33,7 +33,7 @@ export const degrees = (angle) => decimal(`${(Number(angle.toFixed(1)) + 0).toFi
 /** A place in the scene in words. @param {number} x @param {number} y @param {string} unit */
 export function placeText(x, y, unit) {
   const [across, up] = [x, y].map((value) => decimal(String(Number(value.toPrecision(4)) + 0).replace("-", "−")));
-  return say("ui-place", { x: across, y: up, unit });
+  return say("ui-place", { x: across, y: up, unit }).trim();
 }
 
 /** A round length as text; parts of a metre in cm. @param {number} size @param {string} unit */

@@ -1,6 +1,6 @@
 """Whole tasks by what a screen reader has alone: lessons, a class, a live file, and a body that is built.
 
-By day one lesson is begun and a triangle is built; by night all of it is done.
+By day one lesson is begun; by night all of it is done.
 """
 
 from __future__ import annotations
@@ -155,7 +155,26 @@ def predicts(ear: Ear) -> None:
 @pytest.mark.parametrize("name", part_of(LESSONS, len(LESSONS)))
 def test_a_lesson_is_done_by_ear(open_page: OpenPage, name: str) -> None:
     ear = Ear(open_page(name).page)
+    page = ear.look()
+    title = next(node.name for node in page.all("heading") if node.states["level"] == 1)
+    assert page.name == f"{title} · softrod"
     goes_through(ear, steps_of(name))
+
+
+@at_night
+def test_a_dialog_of_a_menu_gives_the_focus_back_by_ear(open_page: OpenPage) -> None:
+    ear = Ear(open_page("rope").page)
+    ear.tab_to("button", "View")
+    ear.key("Enter")
+    ear.until(lambda root: ear.focused_in(root).role.startswith("menuitem"), "the menu is open")
+    for _ in range(10):
+        if ear.focused.name.startswith("Access and language"):
+            break
+        ear.key("ArrowDown")
+    ear.key("Enter")
+    ear.find("dialog", "Access and language")
+    ear.key("Escape")
+    focus_says(ear, "View")
 
 
 @at_night
@@ -288,6 +307,7 @@ def builds_triangle(ear: Ear) -> None:
     ear.hears("Nothing selected")
 
 
+@at_night
 def test_a_triangle_is_built_by_ear(open_page: OpenPage) -> None:
     desk = open_page("empty")
     builds_triangle(Ear(desk.page))

@@ -454,7 +454,7 @@ function lobbyOf({ two, digits, types_name }) {
 
 /** Where a pupil types their own name. */
 function nameLine() {
-  const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
+  const named = { maxLength: MAX_NAME_LETTERS, autocomplete: /** @type {any} */ ("nickname"), ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
   return typedLine("", named, [say("seat-name-me")], (wanted) => send({ do: "newName", wanted }), "own name");
 }
 

@@ -9,7 +9,6 @@ import { freeHand, takeHand, handAt } from "./hands.js";
 import { KeyHand } from "./key_hand.js";
 import { placeText } from "../../stage/measures.js";
 import { sceneAt, wireNumber } from "../../stage/screen.js";
-import { viserCanvas } from "../viser/viser.js";
 import { say } from "../../words/words.js";
 
 /** Puts up the stop and the live region. */
@@ -69,7 +68,6 @@ export function addBodyKeys() {
   stop.addEventListener("blur", () => keys.blur());
   window.addEventListener("blur", () => keys.letGo()); // also where the connection is lost
   onPicture(() => {
-    viserCanvas()?.setAttribute("aria-hidden", "true"); // the stop speaks for it
     keys.recount();
     name();
   });
@@ -79,6 +77,7 @@ export function addBodyKeys() {
   onMessage("pageState", () => {
     const now = pageState();
     name();
+    for (const canvas of overCanvas().querySelectorAll("canvas")) canvas.ariaHidden = "true"; // the stop speaks for them
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
     if (now.offer && !before.offer) news.push(say("ui-exploded"));
