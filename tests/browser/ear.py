@@ -138,7 +138,7 @@ class Ear:
                 self.heard.append(re.sub(r"\s+", " ", text).strip())
         self._said = said
 
-    def until(self, condition: Callable[[Node], T], what: str, limit: float = LIMIT) -> T:
+    def until(self, condition: Callable[[Node], T | None], what: str, limit: float = LIMIT) -> T:
         """Wait until something holds of the tree, and return it."""
         end = time.monotonic() + limit
         while True:
