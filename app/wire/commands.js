@@ -49,6 +49,7 @@ export const COMMANDS = {
   leaveRace: {"label": "command-leave-race", "keys": [], "needs": "chooser"},
   lesson: {"label": "command-lesson", "hint": "command-lesson.hint", "keys": [], "needs": "edit"},
   edit: {"label": "command-edit", "word": "command-edit.word", "hint": "command-edit.hint", "keys": ["e"], "shown": "E", "needs": "edit", "icon": "M4 20l1-4L16 5l3 3L8 19zM14 7l3 3", "page": true},
+  cross: {"label": "command-cross", "hint": "command-cross.hint", "keys": ["x"], "shown": "X", "needs": "edit", "page": true},
   undo: {"label": "command-undo", "word": "command-undo.word", "keys": ["ctrl z"], "shown": "Ctrl Z", "icon": "M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2"},
   redo: {"label": "command-redo", "word": "command-redo.word", "keys": ["ctrl y"], "shown": "Ctrl Y", "icon": "M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2"},
   hand: {"label": "command-hand", "hint": "command-hand.hint", "keys": ["h"], "shown": "H", "icon": "M8 12V5.5a1.5 1.5 0 0 1 3 0V11m0-1V4.5a1.5 1.5 0 0 1 3 0V11m0-5a1.5 1.5 0 0 1 3 0v7c0 4-2 7-6 7-3 0-4-1-5.500-4l-2-3.500a1.500 1.500 0 0 1 2.500-1.500L8 14", "where": "edit"},

@@ -100,6 +100,8 @@ export class OwnPrediction {
   grips = [];
   isOn = false;
   moved = false;
+  /** The mass that was moved last. */
+  last = -1;
   /** The masses that are asked for; none for all. @type {number[]} */
   asked = [];
 
@@ -114,6 +116,7 @@ export class OwnPrediction {
     this.marks = marks;
     this.changed = changed;
     this.svg.removeAttribute("aria-hidden");
+    set(this.svg, { role: "application", "aria-label": say("class-grips") }); // keys go to its grips
     marks.onRedraw((seen) => this.draw(seen));
   }
 
@@ -154,6 +157,13 @@ export class OwnPrediction {
     const [mass] = this.free;
     const dx = (this.places[mass][0] - this.start[mass][0]) / this.scale, dy = (this.places[mass][1] - this.start[mass][1]) / this.scale;
     return dx || dy ? movedText(dx, -dy, unit) : "";
+  }
+
+  /** The same of the mass that was moved last, with its number; empty before. @param {string} unit */
+  news(unit) {
+    if (!this.moved || this.last < 0) return "";
+    const [[x, y], [x0, y0]] = [this.places[this.last], this.start[this.last]];
+    return say("class-moved-mass", { mass: String(this.last), moved: movedText((x - x0) / this.scale, (y0 - y) / this.scale, unit) });
   }
 
   /** Moves that mass a little. @param {number} across 1 for right @param {number} up 1 for up */
@@ -234,6 +244,7 @@ export class OwnPrediction {
   move(mass, to) {
     drag(this.places, mass, to, this.springs, this.held);
     this.moved = true;
+    this.last = mass;
     this.marks.redraw();
     this.changed();
   }

@@ -194,8 +194,8 @@ function up(event) {
   }
 }
 
-/** @param {Place | null} at */
-function hover(at) {
+/** Points at a place, or at none. @param {Place | null} at */
+export function hover(at) {
   if (!at) {
     change({ hover: null });
     return;
@@ -278,6 +278,23 @@ export function line(a, start, b, end) {
     ...(a >= 0 ? { a } : { start: pick.world(start) }),
     ...(b >= 0 ? { b } : { end: pick.world(end) }),
   });
+}
+
+// ------------------------------------------------------------------------- the cross of the keys
+/** Does what a click at a place does. @param {Place} at */
+export function clickAt(at) {
+  const { tool, drag } = editing;
+  if (tool === "select") {
+    const parts = pick.partAt(at, "mouse");
+    send(pick.isNothing(parts) ? { do: "select" } : { do: "select", ...parts, toggle: true });
+  } else if (tool === "build") {
+    const start = pick.snapped(at, true);
+    endLine({ kind: "line", from: massAt(at, "mouse"), start, at: start, to: -1 }, false);
+  } else if (tool === "joint") clickCorner(at, performance.now());
+  else if (tool === "cut" && drag?.kind === "stroke") {
+    send({ do: "stroke", points: [...drag.points, at].map(pick.world) });
+    change({ drag: null });
+  } else if (tool === "cut") change({ drag: { kind: "stroke", points: [at] } });
 }
 
 // ------------------------------------------------------------------------- joints
@@ -366,9 +383,9 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onMessage("versions", ({ undo, redo, stiffen }) => {
+  onMessage("versions", ({ undo, redo, count, stiffen }) => {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
-    change({ undo, redo, stiffen });
+    change({ undo, redo, count, stiffen });
   });
   // Without some parts, the numbers of the others have changed.
   let [masses, springs] = [0, 0];

@@ -56,6 +56,8 @@ class Instruments {
   constructor() {
     this.svg = makeSvg("svg", "softrod-marks softrod-instruments");
     this.svg.removeAttribute("aria-hidden");
+    this.svg.setAttribute("role", "group");
+    this.svg.setAttribute("aria-label", say("instruments-box"));
     this.live = make("div", "softrod-tell");
     this.live.setAttribute("role", "status");
     this.box = new Box((kind, event, button) => this.take(kind, event, button), (kind) => this.toggle(kind));

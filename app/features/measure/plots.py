@@ -186,11 +186,23 @@ def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits
         quantity=", ".join(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
         over=called(plot, plot.quantities[-1]),
     )
+    name = f"{name}. {' '.join(_ranges(plot, drawn))}"
     places = [np.linspace(*fit.ends, FIT_POINTS) for fit in fits]
     curves = [(x, fit.at(x)) for x, fit in zip(places, fits, strict=True)]
     return phase_svg(
         values[1 + count], values[1 : 1 + count], drawn.past, series, labels, name, turned, curves
     )
+
+
+def _ranges(plot: Plot, drawn: PlotWindow) -> Iterator[str]:
+    """Yield a sentence about each quantity, for a screen reader: its value now, and its range."""
+    for quantity, some in zip(plot.quantities, drawn.values[1:, : drawn.past], strict=True):
+        if (known := some[np.isfinite(some)]).size:
+            now, low, high = (
+                f"{readouts.grouped(float(value))} {quantity.unit}".strip()
+                for value in (known[-1], known.min(), known.max())
+            )
+            yield say("measure-range", quantity=called(plot, quantity), now=now, low=low, high=high)
 
 
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
@@ -305,7 +317,7 @@ def title(plot: Plot, series: Sequence[str]) -> str:
         f'<span{is_name}><i style="background:{color}"></i>{name}</span>'
         for name, color in zip(upwards if over else [*upwards, last], series, strict=True)
     )
-    return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
+    return f'<div class="softrod-plot-title" role="heading" aria-level="2">{" ".join(keys)}{over}</div>'
 
 
 def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:

@@ -81,9 +81,9 @@ class ViewMenu {
     const item = makeButton("", () => {
       const byKeys = item.matches(":focus-visible");
       this.open(false);
-      perform(entry.name);
-      // Return keyboard focus to the canvas, unless the user goes by keys.
+      // Return keyboard focus to the canvas, unless the user goes by keys; a dialog gives it back to where it was before.
       if (byKeys) this.lid.focus();
+      perform(entry.name);
     }, "");
     const { label, hint } = COMMANDS[entry.name];
     item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), untranslated(make("kbd", "", keyOf(entry.name))));

@@ -51,6 +51,8 @@ let focusedPhase = "";
 let card;
 /** Says to a screen reader what to do; it stays, since one that is remade is not read. @type {HTMLElement} */
 let spoken;
+/** Says where what is predicted was put. @type {HTMLElement} */
+let placed;
 /** @type {OwnPrediction} */
 let prediction;
 /** @type {Alone} */
@@ -75,7 +77,9 @@ export function addSeat(picture) {
   element.append(parts, work, below);
   spoken = make("div", "softrod-tell");
   spoken.setAttribute("role", "status");
-  document.body.append(element, spoken);
+  placed = make("div", "softrod-tell");
+  placed.setAttribute("role", "status");
+  document.body.append(element, spoken, placed);
   const others = new Predictions(picture);
   const bench = new Bench(work, (dial, value) => alone.change(dial, value));
   const hands = addHands(picture, () => hasOwn() && !alone.isOn);
@@ -155,8 +159,10 @@ function show() {
   const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow(), access().taps];
   for (const other of around) other.show(shows);
   const isFree = card.show(shows);
-  const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
+  const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning, .softrod-goal[data-met], .softrod-verdict, .softrod-handed")].map((text) => text.textContent).join(" ");
   if (spoken.textContent !== task) spoken.textContent = task;
+  const news = prediction.news(unit());
+  if (placed.textContent !== news) placed.textContent = news;
   if (isFree) focusTask(asking);
 }
 
@@ -297,12 +303,19 @@ function body(seat, asking) {
   const gives = seat.home ? collects(asking) : phase === "collect";
   return [
     ...(seat.home && asking.question && asking.right >= 0 ? [verdict(asking)] : []),
-    ...(asking.goal ? [make("p", "softrod-goal", say(seat.reached ? "class-goal-met" : "class-goal", { goal: asking.goal }))] : []),
+    ...(asking.goal ? [goalLine(seat, asking.goal)] : []),
     make("p", "", asking.do),
     ...(asking.watch && phase !== "collect" ? [box("p", "softrod-watch", make("b", "", say("seat-watch")), ` ${asking.watch}`)] : []),
     box("div", "softrod-phases", ...timeButtons()),
     ...(gives ? [...(seat.home ? [] : twins(seat)), ...handIn(seat, asking)] : []),
   ];
+}
+
+/** What to reach, and whether it was. @param {Seat} seat @param {string} goal */
+function goalLine({ reached }, goal) {
+  const line = make("p", "softrod-goal", say(reached ? "class-goal-met" : "class-goal", { goal }));
+  line.toggleAttribute("data-met", reached);
+  return line;
 }
 
 /** @param {Asking} asking */
@@ -449,7 +462,7 @@ function lobbyOf({ two, digits, types_name }) {
 
 /** Where a pupil types their own name. */
 function nameLine() {
-  const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
+  const named = { maxLength: MAX_NAME_LETTERS, autocomplete: /** @type {any} */ ("nickname"), ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
   return typedLine("", named, [say("seat-name-me")], (wanted) => send({ do: "newName", wanted }), "own name");
 }
 

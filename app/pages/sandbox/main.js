@@ -79,7 +79,10 @@ whenViser((viser) => {
   listenToLinks();
   addPaper();
   const heading = document.querySelector("main > h1");
-  onMessage("pageState", ({ title }) => heading && (heading.textContent = title || "softrod"));
+  onMessage("pageState", ({ title }) => {
+    if (heading) heading.textContent = title || "softrod";
+    document.title = title ? `${title} · softrod` : "softrod";
+  });
   addClassroom();
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does

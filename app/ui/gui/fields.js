@@ -297,8 +297,7 @@ class ButtonRow extends Field {
   constructor(declared) {
     super(declared, "softrod-button-row", "span");
     this.row = make("div", "softrod-segments");
-    this.row.setAttribute("role", "group");
-    if (declared.props.label) this.labels(this.row);
+    if (declared.props.label) this.labels(this.row).setAttribute("role", "group");
     this.element.append(this.label, this.row);
   }
 

@@ -7,6 +7,7 @@ import { makeSvg } from "../../stage/svg.js";
 import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
 import { takePointer } from "../hands/take.js";
+import { numbersOf, sentenceOf } from "../plot_words.js";
 import { decimal, say } from "../../words/words.js";
 import { Control, newId } from "./control.js";
 
@@ -84,10 +85,11 @@ export class Plot extends Control {
     this.svg = makeSvg("svg", "softrod-chart");
     this.svg.setAttribute("role", "img");
     this.svg.tabIndex = 0;
-    this.svg.ariaDescription = say("ui-plot.keys");
+    this.svg.ariaDescription = say("ui-plot-keys");
+    this.svg.removeAttribute("aria-hidden");
     this.values = make("div", "softrod-plot-values");
     this.values.id = newId();
-    this.element.append(this.svg, this.values);
+    this.element.append(this.svg, this.values, numbersOf(() => this.told));
     /** The part of the time that is shown; null for all. @type {[number, number] | null} */
     this.zoom = null;
     /** Where a drag began, px. @type {number | null} */
@@ -130,6 +132,19 @@ export class Plot extends Control {
     /** @type {Series[]} */
     const series = this.props.series ?? [];
     return series.slice(1).map((line, i) => [line, this.props.data?.[i + 1] ?? []]);
+  }
+
+  /** What is in view, in numbers: lines up to the moment that is shown, without fits. */
+  get told() {
+    const { times } = this;
+    const [low, high] = this.zoom ?? [-Infinity, Infinity];
+    const shown = Array.from(times).flatMap((time, i) => (time >= low && time <= high ? [i] : []));
+    const kinds = this.lines.map(([line]) => line.class);
+    const lines = this.lines.filter(([line]) => !kinds.includes("softrod-until") || line.class === "softrod-until");
+    return {
+      along: { label: this.props.axes?.[0]?.label ?? say("ui-plot-time"), values: shown.map((i) => times[i]), isTime: true },
+      curves: lines.map(([{ label }, values]) => ({ label, values: shown.map((i) => values[i] ?? null) })),
+    };
   }
 
   /** @param {boolean} valued @param {[number, number] | null} [zoom] */
@@ -205,6 +220,7 @@ export class Plot extends Control {
         made.setAttribute("y", String(y));
       }
       made.setAttribute("text-anchor", anchor);
+      made.setAttribute("aria-hidden", "true"); // the label says more
       parts.push(made);
     };
     for (const mark of ticks(low, high)) {
@@ -235,8 +251,8 @@ export class Plot extends Control {
     this.mark = makeSvg("path", "softrod-chart-mark");
     this.cursor = makeSvg("path", "softrod-heard");
     this.svg.replaceChildren(back, ...parts, ...curves, this.mark, this.cursor);
-    const lines = upwards.map(({ label }) => label).join("; ");
-    this.svg.setAttribute("aria-label", say("ui-plot", { lines, across: axes[0]?.label ?? say("ui-plot.time") }));
+    const { along, curves: told } = this.told;
+    this.svg.setAttribute("aria-label", told.map((curve) => sentenceOf(curve, along)).join(" "));
     this.read();
     this.hear(this.heard);
   }

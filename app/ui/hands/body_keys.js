@@ -8,7 +8,8 @@ import { toWorld } from "../../stage/draw.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
 import { freeHand, takeHand, handAt } from "./hands.js";
 import { KeyHand } from "./key_hand.js";
-import { wireNumber } from "../../stage/screen.js";
+import { placeText } from "../../stage/measures.js";
+import { sceneAt, wireNumber } from "../../stage/screen.js";
 import { say } from "../../words/words.js";
 
 /** Puts up the stop and the live region. */
@@ -47,19 +48,37 @@ export function addBodyKeys() {
     drop() {
       send({ do: "drop", hand: number });
       freeHand(number);
+      number = -1;
     },
+    where(mass) {
+      const { pictured: plan, frame } = shown();
+      if (!plan || !frame) return "";
+      // What is in hand follows it a picture later.
+      const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
+      const place = number < 0 ? { x, y } : sceneAt(plan, at);
+      return placeText(place.x, place.y, pageState().unit ?? "");
+    },
+    hint: () => (document.documentElement.hasAttribute("data-softrod-editing") ? "ui-mass.tools" : "ui-mass.first"),
     say: (text) => (live.textContent = text),
   });
+  const name = () => {
+    const told = say("ui-body", { count: shown().plan?.radius.length ?? 0 });
+    if (stop.ariaLabel !== told) stop.ariaLabel = told;
+  };
   stop.addEventListener("focus", () => keys.focus(shown().pictured?.driven ?? 0));
   stop.addEventListener("blur", () => keys.blur());
   window.addEventListener("blur", () => keys.letGo()); // also where the connection is lost
-  onPicture(() => keys.recount());
+  onPicture(() => {
+    keys.recount();
+    name();
+  });
   stop.addEventListener("keydown", (event) => keys.press(event));
 
   let before = pageState();
   onMessage("pageState", () => {
     const now = pageState();
-    stop.ariaLabel = say("ui-body", { count: shown().plan?.radius.length ?? 0 });
+    name();
+    for (const canvas of overCanvas().querySelectorAll("canvas")) canvas.ariaHidden = "true"; // the stop speaks for them
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
     if (now.offer && !before.offer) news.push(say("ui-exploded"));

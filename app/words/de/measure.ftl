@@ -36,6 +36,7 @@ measure-axis-downwards = { $label }, nach unten
 measure-line-fit = Anpassung an { $quantity }
 measure-title-spectrum = Amplitudenspektrum von { $quantity }
 measure-title-over = { $quantity } über { $over }
+measure-range = { $quantity }: jetzt { $now }; von { $low } bis { $high }.
 measure-over-one = über { $over }
 measure-still = keine regelmäßige Schwingung
 measure-swing = { $quantity }: Periodendauer <b>{ $period } s</b>, Amplitude <b>{ $amplitude }</b>

@@ -44,6 +44,8 @@ measure-axis-downwards = { $label }, downwards
 measure-line-fit = fit to { $quantity }
 measure-title-spectrum = amplitude spectrum of { $quantity }
 measure-title-over = { $quantity } over { $over }
+# What a screen reader says of each quantity of such a plot; numbers have units.
+measure-range = { $quantity }: now { $now }; from { $low } to { $high }.
 # After the names of the quantities, in their colours.
 measure-over-one = over { $over }
 # What is read below a plot.

@@ -36,6 +36,7 @@ measure-axis-downwards = { $label }, aşağı doğru
 measure-line-fit = uydurulan eğri: { $quantity }
 measure-title-spectrum = genlik spektrumu: { $quantity }
 measure-title-over = { $quantity } – { $over }
+measure-range = { $quantity }: şimdi { $now }; { $low } ile { $high } arasında.
 measure-over-one = yatay eksen: { $over }
 measure-still = düzenli bir salınım yok
 measure-swing = { $quantity }: periyot <b>{ $period } s</b>, genlik <b>{ $amplitude }</b>

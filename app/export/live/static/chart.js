@@ -14,6 +14,7 @@
  */
 import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
+import { numbersOf, sentenceOf } from "../../../ui/plot_words.js";
 import { say } from "../../../words/words.js";
 import { said } from "./readings.js";
 
@@ -44,7 +45,9 @@ export function makeChart(plot) {
   const canvas = make("canvas", "");
   canvas.setAttribute("role", "img");
   const reading = make("p", "reading");
-  element.append(title, canvas, reading);
+  /** What is in view, in numbers. @type {{along: import("../../../ui/plot_words.js").Along, curves: import("../../../ui/plot_words.js").Curve[]}} */
+  let shown = { along: { label: "", values: [], isTime: true }, curves: [] };
+  element.append(title, canvas, reading, numbersOf(() => shown));
   let due = 0;
   /** The moment that is pointed at, simulated seconds. @type {number | null} */
   let marked = null;
@@ -149,7 +152,13 @@ export function makeChart(plot) {
     else if (names.length <= 2) reading.textContent = readings;
     else if (!found.every(Boolean)) reading.textContent = "";
     else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: `${of("amplitude")} ${units[0]}`.trim() });
-    canvas.ariaLabel = readings;
+    /** @param {string} name @param {string} unit */
+    const labelled = (name, unit) => name + (unit && `, ${unit}`);
+    shown = {
+      along: { label: over ? labelled(over, overUnit) : say("ui-plot-time"), values: along, isTime: !over },
+      curves: names.map((name, i) => ({ label: labelled(name, units[i]), values: curves[i] })),
+    };
+    canvas.ariaLabel = shown.curves.map((curve) => sentenceOf(curve, shown.along)).join(" ");
   }
   return { element, draw };
 }

@@ -53,6 +53,7 @@ export function addHandIn(sheet, frame, rename) {
     rename(typed);
     draw();
   });
+  name.querySelector("input")?.setAttribute("autocomplete", "nickname");
   const button = makeButton(say("live-save"), () => save(sheet()), "softrod-button softrod-first");
   box.addEventListener("toggle", () => box.open && draw());
   // The browser had taken its memory back.

@@ -43,6 +43,7 @@ function placeOf({ low, high, logarithmic }, value) {
 function slider(setting, change) {
   const input = make("input", "");
   const shown = untranslated(make("output", ""));
+  shown.ariaLive = "off"; // the slider says it
   const unit = setting.unit && setting.unit !== "°" ? ` ${setting.unit}` : setting.unit;
   const show = (/** @type {number} */ value) => {
     shown.textContent = said(value) + unit;
