@@ -138,7 +138,7 @@ export function makeChart(plot) {
     if (now < due) return;
     due = now + 250;
     const found = names.map((name) => (over ? null : record.swings(name)));
-    const told = names.map((name, i) => {
+    const told = names.map((_, i) => {
       const values = curves[i], swing = found[i];
       if (!values.length) return "";
       const reading = `${words[i]} ${said(values[at >= 0 ? at : values.length - 1])} ${units[i]}`.trim();
@@ -155,8 +155,8 @@ export function makeChart(plot) {
     /** @param {string} name @param {string} unit */
     const labelled = (name, unit) => name + (unit && `, ${unit}`);
     shown = {
-      along: { label: over ? labelled(over, overUnit) : say("ui-plot-time"), values: along, isTime: !over },
-      curves: names.map((name, i) => ({ label: labelled(name, units[i]), values: curves[i] })),
+      along: { label: over ? labelled(overWords, overUnit) : say("ui-plot-time"), values: along, isTime: !over },
+      curves: words.map((word, i) => ({ label: labelled(word, units[i]), values: curves[i] })),
     };
     canvas.ariaLabel = shown.curves.map((curve) => sentenceOf(curve, shown.along)).join(" ");
   }
