@@ -12,6 +12,7 @@ from pathlib import Path
 
 import sim
 from sim.errors import InputError
+from sim.text import Text
 
 from ..bundle import bundle, compact_style
 from ..export.html_file import Bar, document, said
@@ -88,7 +89,7 @@ def _live(scene: Shown, before: Shown | None, after: Shown | None) -> bytes:
     try:
         return live_html(sim.Simulation(scene.scene).capture(), bar)[0]
     except InputError as error:
-        raise InputError(f"{scene.name}: {error}") from None
+        raise InputError(Text("{scene}: {error}", scene=scene.name, error=str(error))) from None
 
 
 def _bar(scene: Shown, before: Shown | None, after: Shown | None) -> str:

@@ -11,17 +11,21 @@ const YEAR = 365 * 24 * 3600;
  * @typedef {object} Access
  * @property {"always" | "body" | "never"} letters when letters, digits, signs and Space are commands
  * @property {boolean} still whether nothing moves by itself, whatever the system says
+ * @property {boolean} sound whether anything is heard
+ * @property {boolean} events whether a screen reader is told what happens
+ * @property {boolean} taps whether a tap picks up what can be dragged, and the next one says where it goes
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false };
+export const USUAL = { letters: "always", still: false, sound: true, events: false, taps: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still } = JSON.parse(localStorage.getItem(NAME) || "{}");
-    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true };
+    const { letters, still, sound, events, taps } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    const when = letters === "body" || letters === "never" ? letters : USUAL.letters;
+    return { letters: when, still: still === true, sound: sound !== false, events: events === true, taps: taps === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;
@@ -29,6 +33,11 @@ function read() {
 }
 
 let now = read();
+/** @type {(() => void)[]} */
+const watchers = [];
+
+/** Calls back when a setting has changed. @param {() => void} changed */
+export const onAccess = (changed) => void watchers.push(changed);
 
 /** The settings. */
 export const access = () => now;
@@ -45,6 +54,7 @@ export function setAccess(changed) {
     // They hold until the page is left.
   }
   apply();
+  for (const changed of watchers) changed();
 }
 
 /** Shows them where only the style is concerned. */

@@ -1,6 +1,7 @@
 // @ts-check
 /** A pupil's page in a class: one sentence that says what to do, and what it takes to do it. */
 import { onMessage, pageState, send } from "../../wire/channel.js";
+import { access, setAccess } from "../../ui/access.js";
 import { make, untranslated } from "../../ui/dialog.js";
 import { element as known } from "../../export/static/parts.js";
 import { box, button, fold, sayWith, typedLine, typedText } from "../../features/classroom/elements.js";
@@ -151,7 +152,7 @@ function show() {
   if (!seat) return;
   const asking = seat.asking;
   prediction.show(asking?.phase === "ask" && asking.predict > 0 && asking.round === 0 && !seat.elsewhere, asking?.masses);
-  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow()];
+  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow(), access().taps];
   for (const other of around) other.show(shows);
   const isFree = card.show(shows);
   const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
@@ -440,6 +441,7 @@ function lobbyOf({ two, digits, types_name }) {
     button(say("seat-another-name"), () => send({ do: "newName" }), { focus: "name" }),
     button(say("seat-two"), () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
     button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
+    button(say("access-taps"), () => (setAccess({ taps: !access().taps }), show()), { focus: "taps", pressed: access().taps }),
   ];
   const own = types_name ? [nameLine()] : [];
   return [box("div", "softrod-lobby", ...parts), ...own, comeBack()];

@@ -1,5 +1,6 @@
 // @ts-check
 /** The body by keys alone: a stop of the Tab key over the canvas, and a live region that says what happened. */
+import { access } from "../access.js";
 import { overCanvas } from "../dialog.js";
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
@@ -64,7 +65,8 @@ export function addBodyKeys() {
     if (now.offer && !before.offer) news.push(say("ui-exploded"));
     else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(say(now.playing ? "ui-running" : "ui-running.paused"));
     if (before.scene === now.scene && now.broken !== before.broken) news.push(say("ui-broken", { count: now.broken ?? 0 }));
-    if (news.length) live.textContent = news.join(". ");
+    // While events are spoken, that says these, too.
+    if (news.length && !access().events) live.textContent = news.join(". ");
     before = now;
   });
 }
