@@ -84,6 +84,7 @@ export class Plot extends Control {
     super(declared, "softrod-plot");
     this.svg = makeSvg("svg", "softrod-chart");
     this.svg.setAttribute("role", "img");
+    this.svg.removeAttribute("aria-hidden");
     this.svg.tabIndex = 0;
     this.svg.ariaDescription = say("ui-plot-keys");
     this.svg.removeAttribute("aria-hidden");
@@ -92,6 +93,8 @@ export class Plot extends Control {
     this.element.append(this.svg, this.values, numbersOf(() => this.told));
     /** The part of the time that is shown; null for all. @type {[number, number] | null} */
     this.zoom = null;
+    /** The time of all values before a part was shown: the server sends those of a part alone. @type {[number, number]} */
+    this.whole = [Infinity, -Infinity];
     /** Where a drag began, px. @type {number | null} */
     this.from = null;
     /** Where the pointer is, px; null outside. @type {number | null} */
@@ -156,6 +159,8 @@ export class Plot extends Control {
 
   /** Shows a part of the time, of which the server sends more, and analyses it. @param {[number, number] | null} part */
   showPart(part) {
+    const { times } = this;
+    if (!this.zoom && times.length) this.whole = [times[0], times[times.length - 1]];
     this.show(true, part);
     send({ do: "inView", plot: this.id, part });
   }
@@ -164,8 +169,9 @@ export class Plot extends Control {
   press(event) {
     const { times, zoom } = this;
     if (event.ctrlKey || event.altKey || event.metaKey || times.length < 2) return;
-    const [first, last] = [times[0], times[times.length - 1]];
-    const [low, high] = zoom ?? [first, last];
+    const now = [times[0], times[times.length - 1]];
+    const [first, last] = zoom ? [Math.min(now[0], this.whole[0]), Math.max(now[1], this.whole[1])] : now;
+    const [low, high] = zoom ?? now;
     const [across, factor] = { ArrowLeft: [-0.25, 1], ArrowRight: [0.25, 1], ArrowUp: [0, 0.5], ArrowDown: [0, 2] }[event.key] ?? [0, 0];
     if (!factor && event.key !== "Home") return;
     event.preventDefault();
