@@ -1,11 +1,6 @@
 // @ts-check
 /** How somebody uses the page: settings on the page Access of the View menu, which this device keeps. */
-import { language } from "../words/words.js";
-
 const NAME = "softrod-access";
-const LANGUAGE = "softrod-lang";
-/** Seconds for which a cookie is kept. */
-export const YEAR = 365 * 24 * 3600;
 
 /**
  * @typedef {object} Access
@@ -76,16 +71,4 @@ export const onCalm = (call) => calm && calm.addEventListener("change", call);
 export function isMeantElsewhere({ key = "", ctrlKey, metaKey, target }) {
   if (now.letters === "always" || key.length !== 1 || ctrlKey || metaKey) return false;
   return now.letters === "never" || !(target instanceof Element && target.matches(".softrod-body, #canvas"));
-}
-
-/** Speaks another language from now on: the page is loaded anew, and gets its body back. @param {string} tag */
-export function speak(tag) {
-  if (tag === language) return;
-  document.cookie = `${LANGUAGE}=${tag}; path=/; max-age=${YEAR}; samesite=lax`;
-  const address = new URL(location.href);
-  address.searchParams.delete("lang");
-  // A browser that keeps no cookies is asked in the address.
-  if (!document.cookie.includes(`${LANGUAGE}=${tag}`)) address.searchParams.set("lang", tag);
-  if (address.href === location.href) location.reload();
-  else location.replace(address);
 }

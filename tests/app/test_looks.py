@@ -84,6 +84,32 @@ def test_colors_stand_out(pairs: dict[str, tuple[str, ...]], least: float, look:
 
 
 @pytest.mark.parametrize("look", LOOKS)
+def test_where_more_contrast_is_wished_letters_and_edges_stand_out_more(look: str) -> None:
+    k = LOOKS.index(look)
+    colors = {name: looks.MORE.get(name, pair)[k] for name, pair in looks.COLORS.items()}
+    asked = [(ON, 7.0), ({name: MARKS[name] for name in ("edge", "brand", "good-bar", "call-edge")}, 4.5)]
+    found = {
+        f"{front} on {back}": contrast(colors[front], colors[back])
+        for pairs, least in asked
+        for front, backs in pairs.items()
+        for back in backs
+        if contrast(colors[front], colors[back]) < least
+    }
+    assert not found
+
+
+def test_where_the_system_forces_colours_every_colour_of_a_control_is_the_system_s() -> None:
+    drawn = {*MARKS, "mass", "ink", "torque-plus", "liquid"} - {
+        "edge",
+        "brand",
+        "good-bar",
+        "call-edge",
+        "bad",
+    }
+    assert looks.COLORS.keys() - looks.FORCED.keys() == drawn
+
+
+@pytest.mark.parametrize("look", LOOKS)
 def test_a_mass_stands_out_by_its_outline_or_its_fill(look: str) -> None:
     """On white its outline is dark, on dark paper its fill is bright."""
     k = LOOKS.index(look)

@@ -81,7 +81,7 @@ def shown(all_places: Places, name: str, size: dict[str, int] | None = None) -> 
     return page, place
 
 
-def measured(page: Page, *questions: tuple[str, Any]) -> list[str]:
+def measured(page: Page, *questions: tuple[Any, ...]) -> list[str]:
     """What is wrong with a page, by these questions to `visible.js`."""
     return [
         f"{name}: {fault['kind']} {fault['words']!r} {fault['more']}"
@@ -115,7 +115,7 @@ def test_in_the_smallest_window_all_is_there_and_scrolled_one_way(all_places: Pl
 
 def test_at_twice_the_size_nothing_is_cut_or_covered(all_places: Places, name: str) -> None:
     page, _ = shown(all_places, name, DOUBLE)
-    questions = [("sideways",), ("cut",)] + ([] if name in TEACHING else [("unreached", "body")])
+    questions = ("sideways",), ("cut",), *([] if name in TEACHING else [("unreached", "body")])
     assert measured(page, *questions) == []
 
 

@@ -1,10 +1,26 @@
 // @ts-check
 /** The page Access of the View menu: a dialog of settings that this device keeps. */
-import { YEAR, access, apply, isStill, onCalm, setAccess, speak } from "../../ui/access.js";
+import { access, apply, isStill, onCalm, setAccess } from "../../ui/access.js";
 import { make, makeDialog } from "../../ui/dialog.js";
 import { isProjector, toggleProjector } from "../../ui/looks.js";
 import { send } from "../../wire/channel.js";
 import { language, languages, say } from "../../words/words.js";
+
+const LANGUAGE = "softrod-lang";
+/** Seconds for which a cookie is kept. */
+const YEAR = 365 * 24 * 3600;
+
+/** Speaks another language from now on: the page is loaded anew, and gets its body back. @param {string} tag */
+function speak(tag) {
+  if (tag === language) return;
+  document.cookie = `${LANGUAGE}=${tag}; path=/; max-age=${YEAR}; samesite=lax`;
+  const address = new URL(location.href);
+  address.searchParams.delete("lang");
+  // A browser that keeps no cookies is asked in the address.
+  if (!document.cookie.includes(`${LANGUAGE}=${tag}`)) address.searchParams.set("lang", tag);
+  if (address.href === location.href) location.reload();
+  else location.replace(address);
+}
 
 /**
  * A setting with its name, and below it what it does.
