@@ -21,6 +21,7 @@ from sim.scene.types import Damage
 
 from ..wire.messages import AnswerKind
 from ..words import say
+from ..words.english import of
 
 MAX_LINE_LENGTH = 140
 """Letters of a line that a pupil writes."""
@@ -136,7 +137,7 @@ class Vote(Content, frozen=True):
         question = step.question if step is not None else None
         if question is None:
             return None
-        return say("zip-vote"), question.choices[self.choice], self.choice == question.answer
+        return say("zip-vote"), of(question.choices[self.choice]), self.choice == question.answer
 
 
 class Prediction(Content, frozen=True, tag="ghost"):

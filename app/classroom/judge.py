@@ -23,6 +23,7 @@ from sim.settings import CHOICES, set_choice, set_value, setting_of
 from ..session import log
 from ..session.log import Log, digest_of
 from ..session.replay import Player
+from ..words.english import refusal
 from .answers import Doubt
 
 SPAN = 60.0
@@ -161,7 +162,7 @@ def judge(record: Log, scene: sim.Scene, step: Step, been: Collection[str] = ())
     except _Forged as error:
         return Verdict(refused=error.doubt)
     except (InputError, SettingError) as error:
-        return Verdict(refused=f"{error}.")
+        return Verdict(refused=refusal(error))
 
 
 def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> Verdict:

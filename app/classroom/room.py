@@ -22,6 +22,7 @@ import sim
 from sim.scene.lesson import Step
 
 from ..words import say
+from ..words.english import name_of, of
 from . import names
 from .answers import (
     OWN_BODY,
@@ -659,7 +660,7 @@ class Room(Struct, kw_only=True):
     def title(self, stop: int) -> str:
         """Return the title of a stop."""
         step, scene = self.step_at(stop), self.scenes[self.stops[stop].scene]
-        return step.title if step is not None else scene.title or scene.name
+        return of(step.title) if step is not None else name_of(scene)
 
     def _seat(self, number: int) -> Seat:
         seat = self.seats.get(number)

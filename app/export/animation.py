@@ -15,11 +15,11 @@ from numpy.typing import ArrayLike
 
 import sim
 from sim.errors import InputError
-from sim.scene.types import shown_name
 
 from ..stage.colors import linear
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
+from ..words.english import name_of
 from . import instances
 from .clip import Clip, ClipFrame
 from .glb_file import GlbFile
@@ -81,7 +81,7 @@ class _Animation:
         root = self.file.add("nodes", name="body", children=nodes)
         tree = self.file.tree
         tree["scene"] = self.file.add("scenes", nodes=[root])
-        extras = {"title": shown_name(scene), "metres_per_px": 1.0 / scale, "frames_per_second": rate}
+        extras = {"title": name_of(scene), "metres_per_px": 1.0 / scale, "frames_per_second": rate}
         tree["asset"]["extras"] = extras
         if self._channels:
             self.file.add("animations", name="motion", samplers=self._samplers, channels=self._channels)

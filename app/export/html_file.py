@@ -21,13 +21,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
-from sim.scene.types import shown_name
 
 from ..stage.looks import FRACTIONS, SPEEDS
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
 from ..words import element, language, say, way_of
+from ..words.english import name_of, of
 from ..words.keys import Key
 from .clip import ClipFrame
 from .picture import webp
@@ -83,20 +83,29 @@ def html_file(
         bar: what leads to other files, for one that is not alone.
     """
     scene = frame.scene
-    title = html.escape(shown_name(scene))
+    title = html.escape(name_of(scene))
     width, height = _PICTURE
     picture = f"data:image/webp;base64,{base64.b64encode(webp(frame, _PICTURE)).decode()}"
     noted = f'<p class="note">{html.escape(note)}</p>\n' if note else ""
     over = f"\n{bar.html}" if bar else ""
     header = f"""<header>{over}
 <h1>{title}</h1>
-{noted}<p>{html.escape(scene.description)}</p>
+{noted}<p>{html.escape(of(scene.description))}</p>
 <p role="alert"></p>
 <noscript><p>{said("live-picture")}</p>
 <img src="{picture}" width="{width}" height="{height}" alt="{title}"></noscript>
 </header>"""
     styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
-    return document(shown_name(scene), f"{header}\n{body}", styles, scripts, data, early, plain=_PLAIN)
+    return document(
+        name_of(scene),
+        f"{header}\n{body}",
+        styles,
+        scripts,
+        data,
+        early,
+        plain=_PLAIN,
+        of_site=bar is not None,
+    )
 
 
 def document(
@@ -108,6 +117,7 @@ def document(
     early: str = "",
     images: str = "data:",
     plain: str = "",
+    of_site: bool = False,
 ) -> bytes:
     """A file that loads nothing but images from where it may, in UTF-8, in the language that is spoken now.
 
@@ -119,6 +129,7 @@ def document(
         early: a script that is no module and runs before anything is shown.
         images: from where it may load images, as its policy has it.
         plain: a style where scripts do not run.
+        of_site: whether it may be installed with the site that it belongs to.
     """
     every = [early, *scripts] if early else list(scripts)
     assert not any("</script" in script.lower() for script in every)
@@ -130,6 +141,7 @@ def document(
             f"img-src {images}",
             "base-uri 'none'",
             "form-action 'none'",
+            *(("manifest-src 'self'", "worker-src 'self'") if of_site else ()),
         )
     )
     head = "\n".join(

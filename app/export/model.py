@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 import sim
-from sim.scene.types import shown_name
 
 from ..stage.colors import linear, plain
 from ..stage.plan import Picture
 from ..stage.shapes import COILS, Mesh, convex, meshes
 from ..stage.sketch import Floats, Sketch
+from ..words.english import name_of
 from . import around, instances
 from .instances import Instances
 from .window import Window
@@ -70,7 +70,7 @@ def glb(scene: sim.Scene, picture: Picture, scale: float = PX_PER_METRE) -> byte
         # From the page's world to metres.
         mesh.apply_scale(1.0 / (scale * sketch.mapping.scale))
         group.add_geometry(mesh, geom_name=name, node_name=name)
-    title = shown_name(scene)
+    title = name_of(scene)
 
     def finish(tree: dict[str, Any]) -> None:
         tree["asset"]["generator"] = "softrod"

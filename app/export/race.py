@@ -9,11 +9,11 @@ from itertools import pairwise
 
 import sim
 from sim.edit.terrain import center
-from sim.scene.types import shown_name
 
 from ..session.finish import arrival, finish_of
 from ..stage.plan import Picture
 from ..stage.together import side_by_side, together
+from ..words.english import name_of
 from .clip import ClipFrame
 
 
@@ -46,7 +46,7 @@ def result(moments: list[sim.Moment]) -> str:
     scene = moments[-1].scene
     first, last = (center(scene, moment.positions) for moment in (moments[0], moments[-1]))
     seconds = moments[-1].time - moments[0].time
-    return f"{shown_name(scene)}: {last - first:.0f} {scene.view.unit} in {seconds:g} s"
+    return f"{name_of(scene)}: {last - first:.0f} {scene.view.unit} in {seconds:g} s"
 
 
 def winner(moments: list[sim.Moment], others: list[sim.Moment]) -> str:
@@ -61,7 +61,7 @@ def winner(moments: list[sim.Moment], others: list[sim.Moment]) -> str:
     lead = abs(times[0] - times[1])
     if lead == 0.0:
         return f"Both came to {line} at once, after {times[0]:.2f} s"
-    first = shown_name(one if times[0] < times[1] else other)
+    first = name_of(one if times[0] < times[1] else other)
     return f"{first} was first at {line}, after {min(times):.2f} s" + (
         f", by {lead:.2f} s" if math.isfinite(lead) else ""
     )

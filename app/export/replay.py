@@ -10,13 +10,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from sim.scene.types import shown_name
-
 from ..bundle import bundle, compact_style
 from ..stage.looks import BY_SYSTEM, ICONS, style_rules
 from ..stage.plan import encode_damage, encode_frame
 from ..stage.sketch import Floats
 from ..wire.sections import joined
+from ..words.english import name_of
 from .clip import Clip, ClipFrame
 from .html_file import html_file, icon, packed, plans, said, speed_options, stage
 
@@ -37,14 +36,14 @@ def replay_html(clip: Clip) -> bytes:
     """The file, in UTF-8, of at most some 4 MB."""
     scene = clip.scene
     about, data = _described(clip)
-    title = shown_name(scene)
+    title = name_of(scene)
     style, script = _looks()
     icons = icon(**_ICONS)
     body = f"""<main><canvas id="canvas" role="img" aria-label="{html.escape(title)}"></canvas>
 <div class="bar">
 <button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{icons}</button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="{said("replay-time")}">
-<output id="clock" for="time"></output>
+<output id="clock" for="time" translate="no"></output>
 <select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
 </div></main>"""
     return html_file(clip.frames[0], body, style, script, {"about": about, "data": data})

@@ -8,13 +8,13 @@ from pathlib import Path
 import sim
 from sim.errors import InputError
 from sim.scene.lesson import Step
-from sim.scene.types import shown_name
 from sim.settings import scene_of_step
 
 from ..bundle import compact_style
 from ..lessons import goal_text, reading_text, run_text
 from ..stage.looks import style_rules
 from ..words import say
+from ..words.english import name_of, of, step_of
 from .html_file import document, said
 
 MINUTES_ASKED, MINUTES_TRIED = 8, 5
@@ -32,23 +32,23 @@ def sheet_html(scene: sim.Scene) -> bytes:
     steps = scene.lesson.steps
     minutes = sum(MINUTES_ASKED if step.question or step.predict else MINUTES_TRIED for step in steps)
     parts = [_step(number, step, scene) for number, step in enumerate(steps)]
-    title = html.escape(shown_name(scene))
+    title = html.escape(name_of(scene))
     command = f"<code>softrod class {html.escape(scene.name)}</code>"
     following = f"<i>{said('live-sheet-next')}</i>"
     needs = say("live-sheet-needs", minutes=minutes, command=command, next=following)
     body = f"""<header><h1>{title}</h1>
-<p>{html.escape(scene.description)} {needs}</p>
+<p>{html.escape(of(scene.description))} {needs}</p>
 <p>{said("live-sheet-how")}</p>
 </header>
 <main>{"".join(parts)}</main>"""
     style = "\n".join(
         (style_rules("[data-dark]*"), compact_style(Path(__file__).parent / "static" / "sheet.css"))
     )
-    return document(say("live-sheet-title", lesson=shown_name(scene)), body, [style], [], {})
+    return document(say("live-sheet-title", lesson=name_of(scene)), body, [style], [], {})
 
 
 def _step(number: int, step: Step, scene: sim.Scene) -> str:
-    begins = scene_of_step(scene, number)
+    begins, step = scene_of_step(scene, number), step_of(step)
     rows: list[tuple[str, str]] = []
     if (question := step.question) is not None:
         choices = "".join(

@@ -15,11 +15,11 @@ from sim.edit.edit import Edit, Selection, carried, existing
 from sim.edit.texts import as_own
 from sim.errors import InputError
 from sim.motion.simulation import KEYS
-from sim.scene.types import shown_name
 from sim.settings import CHOICES, settings_of
 
 from ..stage.looks import SPEEDS
 from ..words import say
+from ..words.english import name_of
 from ..words.keys import Key
 from ..words.settings import label_of, label_of_choice
 from . import log
@@ -298,8 +298,8 @@ def _continue_at(session: Session, version: tuple[Moment, Edit | None] | None, b
         session.continue_at(*version)
         now = session.scene
         if version[1] is None and now.name != before.name:
-            text = say(back, scene=shown_name(before))
-            title = say("session-back-to", scene=shown_name(now))
+            text = say(back, scene=name_of(before))
+            title = say("session-back-to", scene=name_of(now))
             session.notices.append(Notice("info", title, text))
 
 
@@ -332,7 +332,7 @@ class Open(Command):
         if begins:
             session.versions.amend_leap(opened)
         else:
-            session.versions.add_leap(say("session-opening", scene=shown_name(self.scene)), before, opened)
+            session.versions.add_leap(say("session-opening", scene=name_of(self.scene)), before, opened)
         if stopped or self.waits:
             session.play(not self.waits)
         session.awaits_answer = self.waits

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import sim
 from sim.errors import InputError
-from sim.scene.types import shown_name
 from sim.store.files import SceneInfo, list_scenes, load_scene
 from sim.store.link import link_data
 
 from ..export.body.program import unknown_forces
 from ..features.gallery.entries import entries as in_groups
 from ..words import say
+from ..words.english import name_of
 
 EMPTY = "empty"
 """The preset to build on, which a page without tools cannot; it is left out where it is not named."""
@@ -80,12 +80,12 @@ def shown(names: Sequence[str], own: bool) -> list[Shown]:
             f"gallery: two scenes are called {again!r}; name it once, or rename one of the files"
         )
     scenes = {info.name: scene for info, scene in found}
-    titles = Counter(shown_name(scene) for scene in scenes.values())
+    titles = Counter(name_of(scene) for scene in scenes.values())
     files: set[str] = set()
     result = []
     for entry in in_groups(info for info, _ in found):
         scene = scenes[entry.name]
-        title = shown_name(scene)
+        title = name_of(scene)
         files.add(file := _file(entry.name, files))
         result.append(
             Shown(

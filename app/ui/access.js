@@ -13,18 +13,19 @@ const YEAR = 365 * 24 * 3600;
  * @property {boolean} still whether nothing moves by itself, whatever the system says
  * @property {boolean} sound whether anything is heard
  * @property {boolean} events whether a screen reader is told what happens
+ * @property {boolean} taps whether a tap picks up what can be dragged, and the next one says where it goes
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false, sound: true, events: false };
+export const USUAL = { letters: "always", still: false, sound: true, events: false, taps: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still, sound, events } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    const { letters, still, sound, events, taps } = JSON.parse(localStorage.getItem(NAME) || "{}");
     const when = letters === "body" || letters === "never" ? letters : USUAL.letters;
-    return { letters: when, still: still === true, sound: sound !== false, events: events === true };
+    return { letters: when, still: still === true, sound: sound !== false, events: events === true, taps: taps === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;

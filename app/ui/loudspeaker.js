@@ -12,6 +12,8 @@ import { kept, store } from "./kept/storage.js";
  * @property {[number, number][]} [tones] pitch, Hz, and loudness of each component
  */
 
+/** Milliseconds between two looks whether the device has interrupted the sound. */
+const LOOK_EVERY = 1000;
 const STORED = "softrod-volume";
 /** Sounds that are remembered. */
 const REMEMBERED = 10000;
@@ -44,10 +46,16 @@ export function loudspeaker() {
     out.gain.value = loudness();
     out.connect(limit).connect(context.destination);
     heard = { context, out };
+    setInterval(goOn, LOOK_EVERY);
     onAccess(follow);
   }
-  void heard.context.resume();
+  goOn();
   return heard;
+}
+
+/** Has the sound go on where a call, an alarm or the lock of a phone has interrupted it. */
+function goOn() {
+  if (heard && heard.context.state !== "running") heard.context.resume().catch(() => undefined);
 }
 
 function follow() {

@@ -20,6 +20,7 @@ from ..session.session import Session
 from ..stage.colors import Palette
 from ..stage.plan import broken_of, yielded_of
 from ..words import decimal, find, say
+from ..words.english import of
 from ..words.keys import Key
 from ..words.settings import options_of
 
@@ -391,7 +392,7 @@ def description(scene: sim.Scene, editable: bool) -> str:
         scene: the scene.
         editable: add the button that opens the form of texts.js in the same place.
     """
-    text = f"<p>{html.escape(scene.description)}</p>" if scene.description else ""
+    text = f"<p>{html.escape(of(scene.description))}</p>" if scene.description else ""
     if editable:
         words = say("about-edit") if text else say("about-edit.new")
         text += f'<button type="button" class="softrod-edit-texts">{html.escape(words)}</button>'

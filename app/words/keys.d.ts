@@ -9,6 +9,8 @@ export type Words = {
   "access-letters.always": never;
   "access-letters.body": never;
   "access-letters.never": never;
+  "access-taps": never;
+  "access-taps.hint": never;
   "access-larger": never;
   "access-larger.hint": never;
   "access-still": never;
@@ -18,6 +20,16 @@ export type Words = {
   "access-events": never;
   "access-events.hint": never;
   "access-kept": never;
+  "taps-held": "thing";
+  "taps-put": "thing";
+  "taps-back": "thing";
+  "taps-button": never;
+  "taps-selection": never;
+  "taps-frame": never;
+  "taps-cut": never;
+  "taps-turn": never;
+  "taps-picture": never;
+  "taps-part": never;
   "check-title": never;
   "check-heading": never;
   "check-looking": never;
@@ -1781,6 +1793,7 @@ export type Words = {
   "site-groups": never;
   "site-dark": never;
   "site-made": never;
+  "site-kept": never;
   "site-bar": never;
   "site-all": never;
   "site-all.hint": never;
@@ -1916,6 +1929,7 @@ export type Words = {
   "ui-on.off": never;
   "ui-plot": "lines" | "across";
   "ui-plot.time": never;
+  "ui-plot.keys": never;
   "ui-found": never;
   "ui-found.none": never;
   "ui-number-unclear": "written" | "one" | "other";
@@ -2013,6 +2027,13 @@ export type Words = {
   "video-saved.pixels": never;
   "view-menu": never;
   "view-menu.hint": never;
+  "view-move": never;
+  "view-move.left": never;
+  "view-move.up": never;
+  "view-move.down": never;
+  "view-move.right": never;
+  "view-move.farther": never;
+  "view-move.nearer": never;
   "view-help": never;
   "view-help-drag": never;
   "view-help-change": never;

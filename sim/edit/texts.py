@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import msgspec
 
+from ..scene.lesson import Lesson, Question, Step
 from ..scene.parts import Mass
 from ..scene.types import Scene, shown_name
 from ..scene.validate import validate
@@ -14,6 +16,37 @@ from .edit import Edit
 
 UNNAMED = "my scene"
 """Name of a scene made from a preset, until it gets another name."""
+
+
+def with_texts(scene: Scene, change: Callable[[str], str]) -> Scene:
+    """Return a scene with other texts for readers: its title and description, and those of its lesson.
+
+    Args:
+        scene: the scene.
+        change: returns what stands instead of a text; it is called in the order in which texts are read.
+    """
+    title, description = change(scene.title), change(scene.description)
+    lesson = (
+        Lesson(steps=tuple(step_with_texts(step, change) for step in scene.lesson.steps))
+        if scene.lesson
+        else None
+    )
+    return msgspec.structs.replace(scene, title=title, description=description, lesson=lesson)
+
+
+def step_with_texts(step: Step, change: Callable[[str], str]) -> Step:
+    """Return a step of a lesson with other texts for readers, see `with_texts`."""
+    texts = {"title": change(step.title), "do": change(step.do), "watch": change(step.watch)}
+    question = step.question
+    if question is None:
+        return msgspec.structs.replace(step, **texts)
+    return msgspec.structs.replace(step, question=question_with_texts(question, change), **texts)
+
+
+def question_with_texts(question: Question, change: Callable[[str], str]) -> Question:
+    """Return a question with other texts, see `with_texts`."""
+    text, choices = change(question.text), tuple(map(change, question.choices))
+    return msgspec.structs.replace(question, text=text, choices=choices, because=change(question.because))
 
 
 def set_texts(scene: Scene, name: str, description: str) -> Edit:

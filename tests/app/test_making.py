@@ -18,6 +18,8 @@ from app.session import commands
 from app.session.notices import Notice
 from app.session.plots import parse_plot, plot_text
 from app.wire.messages import read
+from app.words import speaking
+from app.words.english import step_of
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from sim.settings import scene_of_step
 from sim.store.files import decode_link, decode_scene, encode_scene
@@ -366,3 +368,18 @@ def test_steps_that_are_not_there_change_nothing() -> None:
         form.say(said)
     assert form.steps == before
     assert form.seen.makes_lesson
+
+
+def test_a_form_in_another_language_leaves_what_nobody_changed_as_it_was_written() -> None:
+    with speaking("de"):
+        form = Form("lesson-hooke")
+        before, shown = form.steps, form.letters.last(LessonForm).steps
+        assert shown == tuple(map(step_of, before)) != before
+        question = shown[0].question
+        form.say(
+            change(0, do=shown[0].do, title="Mein Titel"),
+            change(0, question=asked(question.text, question.choices, question.answer, "Darum.")),
+        )
+    step = form.steps[0]
+    assert (step.title, step.do) == ("Mein Titel", before[0].do)
+    assert step.question == msgspec.structs.replace(before[0].question, because="Darum.")

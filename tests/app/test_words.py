@@ -11,6 +11,7 @@ import pytest
 from websockets.datastructures import Headers
 from websockets.http11 import Request
 
+import sim
 from app import words
 from app.gate.gate import language_of
 from app.pages.sandbox.assets import page_in
@@ -28,6 +29,7 @@ from app.words import (
     say,
     speaking,
 )
+from app.words.english import catalogue, name_of, of, read, step_of
 from tests.page.generate import texts
 from tests.words import wrong
 
@@ -99,7 +101,7 @@ def test_what_a_language_lacks_is_said_in_english(tmp_path: Path, monkeypatch: p
         (tmp_path / tag).mkdir()
         (tmp_path / tag / "all.ftl").write_text(text)
     caches = words.entries, words.messages, words.bundle_of
-    monkeypatch.setattr(words, "FOLDER", tmp_path)
+    monkeypatch.setattr(words.spoken, "FOLDER", tmp_path)
     for cache in caches:
         cache.cache_clear()
     try:
@@ -148,3 +150,23 @@ def test_numbers_are_written_as_the_language_does() -> None:
     with speaking("de"):
         assert (decimal("1,234.5"), number(2 / 3)) == ("1\u202f234,5", "0,667")
         assert listed(["a", "b", "c"]) == "a, b und c"
+
+
+def test_all_texts_of_a_lesson_are_said_in_the_language_that_is_spoken() -> None:
+    lesson, german = sim.load_scene("lesson-hooke"), catalogue("de")
+    step = lesson.lesson.steps[0]
+    with speaking("de"):
+        said = step_of(step)
+        assert (name_of(lesson), of("my own words")) == (german[lesson.title], "my own words")
+    assert (said.title, said.do) == (german[step.title], german[step.do])
+    assert said.question.choices == tuple(german[choice] for choice in step.question.choices)
+    assert said.question.because == german[step.question.because] != step.question.because
+    assert (said.settings, said.question.answer) == (step.settings, step.question.answer)
+    assert step_of(step) is step
+
+
+def test_a_file_of_texts_that_is_none_is_named(tmp_path: Path) -> None:
+    (path := tmp_path / "de" / "scenes" / "a.json").parent.mkdir(parents=True)
+    path.write_text("[1]")
+    with pytest.raises(ValueError, match=r"de/scenes/a\.json: Expected `object`"):
+        read(path)

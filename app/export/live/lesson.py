@@ -17,6 +17,7 @@ from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 from ...lessons import goal_text, lesson_code
 from ...session.plots import PlotSpec, parse_plot
 from ...words import listed, say
+from ...words.english import step_of
 from ...words.settings import label_of, label_of_choice
 from .sliders import KEYS, TUTORIAL
 
@@ -114,6 +115,7 @@ def _step(
         differs = {key: value for key, value in begins.items() if key != "body" and value != about[key]}
         return {**differs, "body": {k: v for k, v in begins["body"].items() if v != about["body"][k]}}
 
+    step = step_of(step)
     question = msgspec.to_builtins(step.question) if step.question is not None else None
     goal = step.goal if step.goal is not None and is_measured(step.goal.quantity, scene) else None
     return {

@@ -14,11 +14,12 @@ import numpy as np
 import sim
 from sim.motion.motion import key_rates_of
 from sim.motion.quantities import ENERGY_UNIT, unit_in
-from sim.scene.types import keys_of, shown_name
+from sim.scene.types import keys_of
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
 from ...words import listed, say
+from ...words.english import name_of
 from ...words.keys import Key
 from ..body.features import features_of
 from ..body.program import check_forces
@@ -65,7 +66,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     """
     scene = moment.scene
     check_forces(scene, "a live file")
-    title = html.escape(shown_name(scene))
+    title = html.escape(name_of(scene))
     has = features_of(scene, *scenes_of_steps(scene), *scenes_of_runs(scene))
     has |= {"HAS_DERIVED": bool(derived_of(scene)), "HAS_LESSON": scene.lesson is not None}
     style, script = _looks(has["HAS_LESSON"]), _script(*(name for name, needed in has.items() if needed))
@@ -104,7 +105,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
 <button id="follow" type="button" {follow}>{said("live-follow")}</button>
 <div id="pad" hidden>{arrows}</div>
-<output id="clock"></output>
+<output id="clock" translate="no"></output>
 <button id="view" type="button" aria-label="{said("live-view")}">?</button>
 </section>
 <p id="says" class="hidden" role="status"></p>"""

@@ -8,6 +8,7 @@ import { roundUp } from "../../stage/axes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
+import { takePointer } from "../../ui/hands/take.js";
 import { say } from "../../words/words.js";
 
 /** @typedef {import("../../stage/plan.js").Plan} Plan */
@@ -204,15 +205,20 @@ export class OwnPrediction {
       event.preventDefault();
       event.stopPropagation();
     };
+    let pointer = -1;
     grip.addEventListener("pointerdown", (event) => {
       stop(event);
       grip.focus();
-      grip.setPointerCapture(event.pointerId);
+      pointer = event.pointerId;
+      takePointer(grip, event, { name: say("edit-mass", { number: String(mass) }), always: true });
     });
     grip.addEventListener("pointermove", (event) => {
-      const at = grip.hasPointerCapture(event.pointerId) ? this.marks.at(event) : null;
+      const at = event.pointerId === pointer ? this.marks.at(event) : null;
       if (at) this.move(mass, [at.x, at.y]);
     });
+    for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
+      grip.addEventListener(kind, ({ pointerId }) => (pointer = pointerId === pointer ? -1 : pointer));
+    }
     grip.addEventListener("keydown", (event) => {
       const way = ARROWS[event.key];
       if (!way) return;

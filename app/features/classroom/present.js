@@ -1,9 +1,9 @@
 // @ts-check
 /** The right-hand part of the teacher's page: the class as it is. Who is there, what their bodies do, and what they gave. */
 import { send } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { say } from "../../words/words.js";
-import { box, button, fold, icon, untranslated, voteBars } from "./elements.js";
+import { box, button, fold, icon, voteBars } from "./elements.js";
 import { OWN_BODY, PREDICTED } from "./phases.js";
 import { plot, power } from "./plot.js";
 import { poster, still } from "./poster.js";

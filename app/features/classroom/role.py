@@ -20,7 +20,6 @@ from app.classroom.live import Class, SharedView
 from app.classroom.plotted import Plotted
 from app.classroom.room import Place, Room
 from sim.scene.lesson import Question
-from sim.scene.types import shown_name
 from sim.store.files import built_in_folder
 
 from ...lessons import goal_text, read_masses, reading_text, run_text
@@ -34,6 +33,7 @@ from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.line import Line
 from ...words import say
+from ...words.english import name_of, step_of
 from ..files.sharing import qr_code
 from .messages import Asking, ClassEnded, Found, Law, LessonName, Predictions, Seat
 from .shared_view import broadcast, same_view
@@ -122,12 +122,15 @@ class Entrance(Role):
         self._mail.send(Seat(problem=self._problem))
 
 
-@cache
 def lesson_names() -> tuple[LessonName, ...]:
     """Return the lessons that come with softrod, in the order of their titles' numbers."""
+    return tuple(LessonName(name=scene.name, title=name_of(scene)) for scene in _lessons())
+
+
+@cache
+def _lessons() -> list[sim.Scene]:
     scenes = [sim.load_scene(path.stem) for path in sorted((built_in_folder() / "lessons").glob("*.json"))]
-    found = [LessonName(name=scene.name, title=shown_name(scene)) for scene in scenes]
-    return tuple(sorted(found, key=lambda one: [int(n) for n in re.findall(r"\d+", one.title)][:1]))
+    return sorted(scenes, key=lambda scene: [int(n) for n in re.findall(r"\d+", scene.title)][:1])
 
 
 class ClassRole(Role):
@@ -225,7 +228,8 @@ def asking(room: Room, reveal: bool = False, place: Place | None = None) -> Aski
         place: of a pupil who is elsewhere than the class; None for the class's.
     """
     stop, phase, round = place = place or room.place
-    step, scene = room.step_at(stop), room.scenes[room.stops[stop].scene]
+    own, scene = room.step_at(stop), room.scenes[room.stops[stop].scene]
+    step = step_of(own) if own is not None else None
     question = step.question if step is not None else None
     is_told = question is not None and (reveal or room.may_reveal(place))
     return Asking(

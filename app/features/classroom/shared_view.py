@@ -12,7 +12,6 @@ import numpy as np
 
 from app.classroom.live import SharedView
 from sim import Scene
-from sim.scene.types import shown_name
 
 from ...session.framing import Bounds
 from ...stage.pictures import STILL
@@ -21,6 +20,7 @@ from ...stage.sketch import Floats, Mapping, world_size
 from ...wire.carrier import Mail, encoded
 from ...wire.line import Line, send_at_once
 from ...wire.to_page import Frame, PageState
+from ...words.english import name_of
 
 RESYNC_EVERY = 1.0
 """Seconds after which a page is also sent the picture by its mail: a slow page has missed some."""
@@ -131,7 +131,7 @@ def _page_state(view: SharedView, page: str, bounds: Bounds | None) -> PageState
     return PageState(
         page=page,
         scene=-1 - view.opening,  # no number of a scene that the page itself opens
-        title=shown_name(scene),
+        title=name_of(scene),
         width=width,
         height=height,
         view=() if bounds is None else Mapping.of(scene).box(bounds),

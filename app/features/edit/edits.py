@@ -27,6 +27,7 @@ from ...session.session import Notice, Session
 from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
 from ...words import say
+from ...words.english import refusal, written
 from . import messages as asks
 from .labels import done
 from .messages import Copied, Selected, TextsTaken, Versions
@@ -83,14 +84,15 @@ class Edits:
 
     def _set_texts(self, ask: asks.SetTexts) -> None:
         """Change the scene's name and description, or report to the page why that is impossible."""
-        refused = ""
+        refused, scene = "", self._session.scene
+        name, description = (written(text, scene) for text in (ask.name, ask.description))
         try:
-            texts.set_texts(self._session.scene, ask.name, ask.description)
+            texts.set_texts(scene, name, description)
         except SceneError as error:
-            refused = f"{str(error)[:1].upper()}{str(error)[1:]}."
+            refused = refusal(error)
         else:
             self._session.post(
-                commands.Change(lambda moment, _: texts.set_texts(moment.scene, ask.name, ask.description))
+                commands.Change(lambda moment, _: texts.set_texts(moment.scene, name, description))
             )
         self._mail.send(TextsTaken(refused=refused))
 

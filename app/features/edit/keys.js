@@ -64,10 +64,22 @@ function nudge({ key, shiftKey }, mass) {
   if (countSelected() || mass >= 0) moveSelected(x * by, y * by, { ...aim(mass), keys: true });
 }
 
-/** The Enter key on a mass. @param {number} mass @returns {boolean} whether it did something */
-function enter(mass) {
+/** Selects a mass, and all that is between it and those selected before: as a frame around them would. @param {number} mass */
+function surround(mass) {
+  const seen = sight();
+  if (!seen) return;
+  const { joints } = seen.plan;
+  const masses = [...new Set([...editing.selected.masses, mass])];
+  const springs = springsOf(seen).filter(({ ends }) => ends.every((end) => masses.includes(end))).map(({ spring }) => spring);
+  const between = Array.from({ length: joints.length / 4 }, (_, i) => i).filter((i) => joints.subarray(4 * i, 4 * i + 2).every((one) => springs.includes(one)));
+  send({ do: "select", masses, springs, joints: between });
+}
+
+/** The Enter key on a mass. @param {number} mass @param {boolean} isMore with Shift @returns {boolean} whether it did something */
+function enter(mass, isMore) {
   const { tool, chain } = editing;
-  if (tool === "select") send({ do: "select", masses: [mass], toggle: true });
+  if (tool === "select" && isMore) surround(mass);
+  else if (tool === "select") send({ do: "select", masses: [mass], toggle: true });
   else if (tool === "joint") send({ do: "act", what: "corners", mass });
   else if (tool === "build" && chain === mass) change({ chain: -1 });
   else if (tool === "build" && chain >= 0) line(chain, NOWHERE, mass, NOWHERE);
@@ -119,7 +131,7 @@ function press(event) {
   } else if (key === "Escape") {
     if (!leave()) return;
   } else if (mass >= 0 && key === "Enter") {
-    if (!enter(mass)) return;
+    if (!enter(mass, event.shiftKey)) return;
   } else if (mass >= 0 && key === "+") grow(mass);
   else return;
   swallow(event);

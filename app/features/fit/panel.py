@@ -28,6 +28,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
 from ...words import say
+from ...words.english import of
 from ...words.keys import Key
 from ...words.settings import label_of
 from ..measure.messages import ShowMeasures
@@ -308,7 +309,7 @@ class FitPanel:
             self._result.content = _text(html.escape(text))
 
     def _say(self, error: Exception) -> None:
-        text = str(error).removeprefix("fit: ")
+        text = of(str(error)).removeprefix("fit: ")
         if self._table is not None:
             self._result.content = _text(say("fit-cannot", why=html.escape(text)))
 

@@ -9,6 +9,7 @@ from sim.store.files import SceneInfo
 
 from ...ui.shelf import SHARED
 from ...words import say
+from ...words.english import of
 from ...words.keys import Key
 from .messages import Entry
 
@@ -32,9 +33,9 @@ def entries(scenes: Iterable[SceneInfo]) -> list[Entry]:
     return [
         Entry(
             name=info.name,
-            title=_title(info),
-            line=re.split(r"(?<=[.!?])\s", info.description, maxsplit=1)[0],
-            text=info.description,
+            title=of(_title(info)),
+            line=re.split(r"(?<=[.!?])\s", of(info.description), maxsplit=1)[0],
+            text=of(info.description),
             group=say(_group(info)),
             own=not info.built_in and not info.name.startswith(SHARED),
             saved=not info.built_in,

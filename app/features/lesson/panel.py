@@ -17,6 +17,7 @@ from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...ui.page import Page
 from ...words import say
+from ...words.english import step_of
 from ..measure.plot_list import PlotList
 from .messages import BeginStep, LessonStep
 from .messages import Lesson as LessonState
@@ -66,7 +67,7 @@ class LessonPanel:
         if lesson is not None:
             steps = (
                 LessonStep(step.title, step.do, step.watch, step.question, bool(step.run))
-                for step in lesson.steps
+                for step in map(step_of, lesson.steps)
             )
             self._page.mail.send(LessonState(steps=tuple(steps)))
         specs = tuple(map(parse_plot, (self.step.plots or ()) if self.step else ()))

@@ -14,9 +14,10 @@ from msgspec import UNSET, structs
 import sim
 from sim.edit import lesson
 from sim.edit.edit import Edit
+from sim.edit.texts import question_with_texts
 from sim.errors import InputError, SceneError, SettingError
 from sim.motion.quantities import KINDS, PARTS, quantity, unit_in
-from sim.scene.lesson import Goal, Question, Reading, Step
+from sim.scene.lesson import Goal, Question, Reading
 from sim.settings import CHOICES, scene_of_step, settings_of
 from sim.solve.registry import METHODS
 
@@ -28,6 +29,7 @@ from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
 from ...words import say
+from ...words.english import of, step_of, written
 from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
@@ -96,7 +98,7 @@ class LessonMaker:
         self._open = self.is_told = False
         self._trying = -1
         self._before: tuple[bytes, Versions] | None = None  # the page before a step was tried
-        self._steps: tuple[Step, ...] = ()
+        self._steps = self._shown = ()  # of the scene, and with their texts as the page reads them
         self._begins: tuple[str, ...] = ()
         self._runs: tuple[str, ...] = ()
         self._due = 0.0
@@ -145,10 +147,11 @@ class LessonMaker:
         if steps is not self._steps:
             self._steps = steps
             self._begins = tuple(describe_settings(scene, step.settings) for step in steps)
+            self._shown = tuple(map(step_of, steps))
             self._runs = tuple(run_text(step.run, scene) if step.run else "" for step in steps)
         self._mail.send(
             LessonForm(
-                open=self._open, trying=self._trying, steps=steps, begins=self._begins, runs=self._runs
+                open=self._open, trying=self._trying, steps=self._shown, begins=self._begins, runs=self._runs
             )
         )
         if self._page.makes_lesson and self._session.now() >= self._due:
@@ -197,6 +200,10 @@ class LessonMaker:
         for name in _DRAFTS.keys() & changes.keys():
             if changes[name] is not None:
                 changes[name] = _DRAFTS[name](**structs.asdict(changes[name]))
+        own = partial(written, scene=self._session.scene)
+        changes |= {name: own(changes[name]) for name in ("title", "do", "watch") if name in changes}
+        if isinstance(question := changes.get("question"), Question):
+            changes["question"] = question_with_texts(question, own)
         if "ghost" in changes:
             if changes["ghost"] not in ("", REFERENCE, *METHODS):
                 return
@@ -226,7 +233,7 @@ class LessonMaker:
         step = ask.step if isinstance(ask, asks.OfStep) else -1
         field, sentence = "", ""
         if error is not None:
-            match = _REFUSAL.fullmatch(str(error))
+            match = _REFUSAL.fullmatch(of(str(error)))
             assert match is not None, "it matches any text"
             field = match[1] or part
             sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name

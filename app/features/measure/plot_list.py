@@ -10,7 +10,6 @@ import viser
 
 from sim.analysis.curves import CURVES
 from sim.errors import InputError
-from sim.scene.types import shown_name
 from sim.store import files
 
 from ...background import file_worker
@@ -21,6 +20,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...viser_inside import element_id
 from ...words import say
+from ...words.english import name_of, refusal
 from ...words.keys import Key
 from . import analysis, hearing, plots
 from .messages import Tones
@@ -192,7 +192,7 @@ class _OpenPlot:
         spectra = analysis.draw_spectra(plot, self._span, PICTURE_PIECES) if is_spectrum else None
         drawn = curve(plot, self._span, PICTURE_PIECES)
         fits = tuple(fit.at for fit in self._fits)
-        colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), shown_name(scene)
+        colors, title = plots.colors_of(plot, palette(scene.view.colors, dark=False)), name_of(scene)
 
         def make() -> None:
             from ...export.plot_picture import plot_png, spectrum_png  # matplotlib does not delay the start
@@ -335,7 +335,7 @@ class PlotList:
                 raise InputError(say("measure-no-room", count=MAX_PLOTS))
             plot = Plot(spec, self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", say("measure-cannot"), f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot"), refusal(error)))
             return
         self._count += 1
         shown = _OpenPlot(
@@ -416,7 +416,7 @@ class PlotList:
         try:
             plot = Plot(PlotSpec((*spec.names, name), spec.over), self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", say("measure-cannot-add"), f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot-add"), refusal(error)))
             return
         plot.take_over(shown.plot)
         shown.chart.remove()

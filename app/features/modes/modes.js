@@ -8,6 +8,7 @@ import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound } from "./sound.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { withKey } from "../../ui/hands/key_table.js";
+import { PICKED_UP, takePointer } from "../../ui/hands/take.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
@@ -217,6 +218,7 @@ class ModeStrip {
     element.addEventListener("pointerdown", (event) => this.down(event, element, box, i));
     element.addEventListener("pointermove", (event) => this.move(event, i));
     for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) element.addEventListener(kind, (event) => this.up(event, i));
+    element.addEventListener(PICKED_UP, () => clearTimeout(this.press?.timer)); // no long press
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("keydown", (event) => this.key(event, i));
     element.addEventListener("keyup", (event) => {
@@ -230,11 +232,13 @@ class ModeStrip {
   down(event, element, box, i) {
     if (event.button > 0 || this.press) return;
     event.preventDefault();
-    element.setPointerCapture(event.pointerId);
     // A move that waits for a slow page comes before its next picture.
     const timer = setTimeout(() => requestAnimationFrame(() => this.press && !this.press.moved && this.drive(i)), HOLD);
     const level = Math.min(this.level(i), 1);
-    this.press = { id: event.pointerId, y: event.clientY, level, height: box.clientHeight || 1, moved: false, timer };
+    const height = box.clientHeight || 1;
+    this.press = { id: event.pointerId, y: event.clientY, level, height, moved: false, timer };
+    const { bottom, height: seen } = box.getBoundingClientRect();
+    takePointer(element, event, { name: element.ariaLabel ?? "", at: { x: event.clientX, y: bottom - level * seen } });
   }
 
   /** @param {PointerEvent} event @param {number} i */

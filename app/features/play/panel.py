@@ -6,7 +6,7 @@ from functools import partial
 
 import viser
 
-from sim.scene.types import Scene, shown_name
+from sim.scene.types import Scene
 
 from ...session import commands
 from ...ui import readouts
@@ -14,6 +14,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...ui.viser.look import describe_control
 from ...words import say
+from ...words.english import name_of
 from ..gallery.thumbnails import MADE
 
 LAST = 1e6
@@ -58,7 +59,7 @@ class PlayPanel:
     def build(self, scene: Scene) -> None:
         """Show what the scene has."""
         if self._chooser is not None:
-            self._chooser.label = shown_name(scene)
+            self._chooser.label = name_of(scene)
             picture = scene.name if scene.name in MADE else ""
             note = say("play-scene.note")
             describe_control(self._mail, self._chooser, place="card", note=note, picture=picture)

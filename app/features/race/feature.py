@@ -11,7 +11,6 @@ import viser
 import sim
 from sim.edit.terrain import on_terrain
 from sim.errors import InputError, SceneError
-from sim.scene.types import shown_name
 from sim.store import files
 from sim.store.files import read_scene
 
@@ -23,6 +22,7 @@ from ...ui.feature import Drawn, Feature
 from ...ui.opening import asked_scene
 from ...ui.page import Page
 from ...words import say
+from ...words.english import name_of, refusal
 from .messages import Race, RaceAnswer
 from .rivals import Rivals
 
@@ -98,8 +98,7 @@ class RaceFeature(Feature):
             own = session.snapshot(session.scene.name, with_pose=False)
             ways = [finish_of(own, on_terrain(rival, own), session.can_wait) for rival in rivals]
         except (SceneError, InputError) as error:
-            text = str(error)
-            self.page.mail.send(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
+            self.page.mail.send(RaceAnswer(problem=refusal(error)))
             return
         session.post(BeginRace(rivals, max(ways, key=abs)))
         self.page.mail.send(RaceAnswer(problem=""))
@@ -148,7 +147,7 @@ class RaceFeature(Feature):
         self.page.mail.send(
             Race(
                 on=True,
-                names=tuple(map(shown_name, (session.scene, *rivals.scenes))),
+                names=tuple(map(name_of, (session.scene, *rivals.scenes))),
                 ways=tuple(float(f"{way:.4g}") for way in rivals.ways(session.simulation)),
                 seconds=round(rivals.seconds, 1),
                 fair=rivals.fair,

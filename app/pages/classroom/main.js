@@ -2,6 +2,7 @@
 /** Starts a class's page: a pupil's, or the wall, as the page's address says. It is drawn on a canvas, without viser. */
 import { ready } from "./older.js";
 import { element } from "../../export/static/parts.js";
+import { listenToTaps } from "../../ui/hands/taps.js";
 import { identify } from "../../ui/owner.js";
 import { make } from "../../ui/dialog.js";
 import { onMessage, send } from "../../wire/channel.js";
@@ -14,6 +15,7 @@ import { addWall } from "./wall.js";
 
 if (ready) {
   identify();
+  listenToTaps();
   const picture = new Picture(element("canvas", HTMLCanvasElement), JSON.parse(element("shapes", HTMLScriptElement).textContent || ""));
   const as = new URLSearchParams(location.search).get("as");
   document.documentElement.dataset.softrodClass = as === "wall" ? "wall" : "seat";

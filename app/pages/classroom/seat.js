@@ -1,9 +1,10 @@
 // @ts-check
 /** A pupil's page in a class: one sentence that says what to do, and what it takes to do it. */
 import { onMessage, pageState, send } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { access, setAccess } from "../../ui/access.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { element as known } from "../../export/static/parts.js";
-import { box, button, fold, sayWith, typedLine, typedText, untranslated } from "../../features/classroom/elements.js";
+import { box, button, fold, sayWith, typedLine, typedText } from "../../features/classroom/elements.js";
 import { partsOf as textsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot } from "../../features/classroom/plot.js";
@@ -11,6 +12,7 @@ import { OwnPrediction, Predictions } from "../../features/classroom/prediction.
 import { Card, deferWhilePressed } from "../../features/classroom/rerender.js";
 import { say } from "../../words/words.js";
 import { Alone } from "./alone.js";
+import { keepAwake } from "./awake.js";
 import { Bench } from "./bench.js";
 import { addHands } from "./hands.js";
 import { hangUp } from "./line.js";
@@ -57,6 +59,9 @@ let alone;
 /** Whether the body that is shown is this page's own. */
 const hasOwn = () => seat !== null && seat.asking !== null && OWN_BODY.has(seat.asking.phase) && !seat.follows && !seat.gathered && !seat.elsewhere;
 
+/** Whether the class waits for an answer of this page; homework has all the time there is. @param {Seat} seat */
+const hasOpenQuestion = ({ asking, elsewhere, home }) => !home && !elsewhere && ["ask", "explain"].includes(asking?.phase ?? "");
+
 /**
  * Makes a pupil's card.
  *
@@ -92,6 +97,7 @@ export function addSeat(picture) {
       hasMoved = true;
     }
     seat = told;
+    keepAwake(hasOpenQuestion(told));
     defer(() => {
       show();
       // What is to be done now is at the top.
@@ -102,6 +108,7 @@ export function addSeat(picture) {
   onMessage("predictions", ({ bodies }) => others.show(bodies, seat?.asking?.masses));
   onMessage("classEnded", () => {
     forgetAnswers();
+    keepAwake(false);
     prediction.show(false);
     spoken.textContent = say("class-over");
     seat = null;
@@ -145,7 +152,7 @@ function show() {
   if (!seat) return;
   const asking = seat.asking;
   prediction.show(asking?.phase === "ask" && asking.predict > 0 && asking.round === 0 && !seat.elsewhere, asking?.masses);
-  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow()];
+  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow(), access().taps];
   for (const other of around) other.show(shows);
   const isFree = card.show(shows);
   const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
@@ -434,6 +441,7 @@ function lobbyOf({ two, digits, types_name }) {
     button(say("seat-another-name"), () => send({ do: "newName" }), { focus: "name" }),
     button(say("seat-two"), () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
     button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
+    button(say("access-taps"), () => (setAccess({ taps: !access().taps }), show()), { focus: "taps", pressed: access().taps }),
   ];
   const own = types_name ? [nameLine()] : [];
   return [box("div", "softrod-lobby", ...parts), ...own, comeBack()];

@@ -16,7 +16,7 @@ from app.classroom.live import SharedView
 from app.classroom.plotted import Plotted
 from sim.compiling.compiler import Compiler
 from sim.errors import InputError, SettingError
-from sim.scene.types import keys_of, shown_name
+from sim.scene.types import keys_of
 from sim.settings import CHOICES, Choice, Setting, setting_of
 
 from ...export.body.program import unknown_forces
@@ -47,6 +47,7 @@ from ...wire.line import Line
 from ...wire.messages import FromPage
 from ...wire.to_page import PageState
 from ...words import language, say
+from ...words.english import name_of
 from ...words.settings import label_of, label_of_choice, options_of
 
 MAX_REQUESTS = 20
@@ -269,7 +270,7 @@ class ClassTab:
         return PageState(
             page=self._number,
             scene=session.openings,
-            title=shown_name(scene),
+            title=name_of(scene),
             width=width,
             height=height,
             view=() if bounds is None else self._mapping.box(bounds),

@@ -22,6 +22,7 @@ import { sounds } from "../../ui/loudspeaker.js";
 import { listenToCommands, provide } from "../../wire/perform.js";
 import { addPaper } from "../../stage/paper.js";
 import { listenToPresses } from "../../ui/hands/presses.js";
+import { listenToTaps } from "../../ui/hands/taps.js";
 import { addUnderlay } from "../../stage/underlay.js";
 import * as seen from "../../ui/viser/seen.js";
 import { isKnown, project, render, viserCanvas, whenViser } from "../../ui/viser/viser.js";
@@ -64,6 +65,7 @@ whenViser((viser) => {
   keepFlat();
   addChase(); // before everything that is drawn where the camera looks
   listenToPresses();
+  listenToTaps();
   addOverlay(); // before others, which stop the press that removes its hint
   const drawEdgeArrow = addEdgeArrow();
   addUnderlay();

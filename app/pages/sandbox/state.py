@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 
-from sim.scene.types import keys_of, shown_name
+from sim.scene.types import keys_of
 
 from ...session.framing import Bounds
 from ...stage.sketch import world_size
 from ...ui.page import Page
 from ...wire.to_page import PageState
+from ...words.english import name_of
 from .features import CONTROLS
 from .page_panel import PagePanel
 
@@ -40,7 +41,7 @@ def page_state(
     return PageState(
         page=number,
         scene=session.openings,
-        title=shown_name(session.scene),
+        title=name_of(session.scene),
         width=width,
         height=height,
         view=() if bounds is None else page.mapping.box(bounds),

@@ -2,6 +2,7 @@
 /** The bar of a page of a gallery: the page as a file of its own, and a key that leads back. */
 import { element } from "../../export/static/parts.js";
 import { download } from "../../ui/download.js";
+import { keepGallery } from "./keep.js";
 
 /** The page as it came, before its script changes anything. */
 const whole = /** @type {HTMLElement} */ (document.documentElement.cloneNode(true));
@@ -24,4 +25,7 @@ function addBar() {
 }
 
 // A page that was saved has none.
-if (document.getElementById("bar")) addBar();
+if (document.getElementById("bar")) {
+  addBar();
+  keepGallery();
+}

@@ -9,6 +9,7 @@ import { element } from "../../export/static/parts.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { isFound, moveByKey } from "../../features/gallery/finding.js";
 import { say } from "../../words/words.js";
+import { keepGallery } from "./keep.js";
 
 /** Under this name the last search is stored, for the way back. */
 const KEY = "softrod-search";
@@ -111,3 +112,4 @@ new MutationObserver(shadow).observe(root, { attributeFilter: ["data-dark"] });
 shadow();
 window.addEventListener("hashchange", follow);
 follow();
+keepGallery(() => (element("kept", HTMLElement).textContent = say("site-kept")));

@@ -6,6 +6,7 @@
 import { makeSvg } from "../../stage/svg.js";
 import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
+import { takePointer } from "../hands/take.js";
 import { decimal, say } from "../../words/words.js";
 import { Control, newId } from "./control.js";
 
@@ -18,6 +19,8 @@ const DIGIT = 7.5;
 const TICKS = 5;
 /** Pixels of a drag that shows a part. */
 const LEAST_DRAG = 6;
+/** Seconds of a part that keys show, at least. */
+const LEAST_PART = 0.05;
 /** Digits that distinguish the marks of the narrowest axis, see app/session/plots.py. */
 const DIGITS = 7;
 /** Part of a range that stays free at either end. */
@@ -80,6 +83,8 @@ export class Plot extends Control {
     super(declared, "softrod-plot");
     this.svg = makeSvg("svg", "softrod-chart");
     this.svg.setAttribute("role", "img");
+    this.svg.tabIndex = 0;
+    this.svg.ariaDescription = say("ui-plot.keys");
     this.values = make("div", "softrod-plot-values");
     this.values.id = newId();
     this.element.append(this.svg, this.values);
@@ -100,12 +105,13 @@ export class Plot extends Control {
     this.svg.addEventListener("pointerleave", () => this.point(null));
     this.svg.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      this.svg.setPointerCapture(event.pointerId);
+      takePointer(this.svg, event, { name: say("taps-part") });
       this.from = this.placeOf(event);
     });
     this.svg.addEventListener("pointerup", (event) => this.release(this.placeOf(event)));
     this.svg.addEventListener("pointercancel", () => (this.from = null));
     this.svg.addEventListener("dblclick", () => this.showPart(null));
+    this.svg.addEventListener("keydown", (event) => this.press(event));
     drawings.set(this.svg, this);
     new ResizeObserver(() => this.draw()).observe(this.svg);
   }
@@ -137,6 +143,20 @@ export class Plot extends Control {
   showPart(part) {
     this.show(true, part);
     send({ do: "inView", plot: this.id, part });
+  }
+
+  /** Arrows across move the part that is shown, up and down make it half or twice as long, Home shows all. @param {KeyboardEvent} event */
+  press(event) {
+    const { times, zoom } = this;
+    if (event.ctrlKey || event.altKey || event.metaKey || times.length < 2) return;
+    const [first, last] = [times[0], times[times.length - 1]];
+    const [low, high] = zoom ?? [first, last];
+    const [across, factor] = { ArrowLeft: [-0.25, 1], ArrowRight: [0.25, 1], ArrowUp: [0, 0.5], ArrowDown: [0, 2] }[event.key] ?? [0, 0];
+    if (!factor && event.key !== "Home") return;
+    event.preventDefault();
+    const length = Math.max(factor * (high - low), LEAST_PART);
+    const from = Math.min(Math.max((low + high - length) / 2 + across * (high - low), first), last - length);
+    this.showPart(factor && length < last - first ? [from, from + length] : null);
   }
 
   /** The range of a scale, from the bottom to the top. @param {string} scale @param {number} low @param {number} high */

@@ -29,6 +29,7 @@ ui-on = an
     .off = aus
 ui-plot = { $lines } über { $across }
     .time = Zeit
+    .keys = Pfeile nach links und rechts zeigen einen anderen Teil der Zeit, nach oben und unten einen kürzeren oder längeren, Pos1 alles
 
 ui-found = Gefunden
     .none = So heißt nichts. Was zu einer Masse, einer Feder oder einem Gelenk gehört, findest du, sobald eines ausgewählt ist.

@@ -43,6 +43,7 @@ ui-on = on
 # Words of a plot for a screen reader: quantities over time, or over another quantity.
 ui-plot = { $lines } over { $across }
     .time = time
+    .keys = Arrows left and right show another part of the time, up and down a shorter or longer one, Home all
 
 # What "Find anything" has found.
 ui-found = Found

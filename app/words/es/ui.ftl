@@ -29,6 +29,7 @@ ui-on = activado
     .off = desactivado
 ui-plot = { $lines } en función de { $across }
     .time = tiempo
+    .keys = Las flechas izquierda y derecha muestran otra parte del tiempo; arriba y abajo, una más corta o más larga; Inicio, todo
 
 ui-found = Resultados
     .none = Nada se llama así. Lo que pertenece a una masa, un resorte o una articulación se encuentra cuando hay alguno seleccionado.

@@ -29,6 +29,7 @@ ui-on = activé
     .off = désactivé
 ui-plot = { $lines } selon { $across }
     .time = le temps
+    .keys = Les flèches gauche et droite montrent une autre partie du temps, haut et bas une partie plus courte ou plus longue, Début le tout
 
 ui-found = Trouvé
     .none = Rien ne s’appelle ainsi. Ce qui appartient à une masse, un ressort ou une articulation se trouve une fois qu’on en a sélectionné un.

@@ -29,6 +29,7 @@ ui-on = açık
     .off = kapalı
 ui-plot = { $lines } – { $across } grafiği
     .time = zaman
+    .keys = Sol ve sağ oklar zamanın başka bir bölümünü, yukarı ve aşağı oklar daha kısa veya daha uzun bir bölümünü, Home tuşu tümünü gösterir
 
 ui-found = Bulunanlar
     .none = Bu adda bir şey yok. Bir kütleye, yaya veya ekleme ait olanlar, biri seçilince bulunur.

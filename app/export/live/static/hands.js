@@ -9,6 +9,8 @@
  * @typedef {import("../../../stage/environment.js").Screen} Screen
  */
 import { KeyHand } from "../../../ui/hands/key_hand.js";
+import { takePointer } from "../../../ui/hands/take.js";
+import { say } from "../../../words/words.js";
 import { nearest, onScreen, REACH, worldAt } from "../../../stage/screen.js";
 import { element } from "../../static/parts.js";
 
@@ -102,7 +104,9 @@ export class Hands {
     const mass = this.#massAt(event);
     if (mass < 0) return;
     event.preventDefault();
-    this.canvas.setPointerCapture(event.pointerId);
+    const { left, top } = this.canvas.getBoundingClientRect(), places = this.#places();
+    const at = { x: left + places[2 * mass], y: top + places[2 * mass + 1] };
+    takePointer(this.canvas, event, { name: say("edit-mass", { number: String(mass) }), at });
     for (const [hand, { mass: other }] of this.#led) if (other === mass) this.#led.delete(hand);
     this.#grab(event.pointerId, mass);
     this.canvas.classList.add("holds");
