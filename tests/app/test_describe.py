@@ -28,8 +28,8 @@ def touched(page: WholePage) -> list[Touched]:
 
 
 def says(page: WholePage, text: str) -> bool:
-    """Whether the page says something within seconds: how a body swings is found in a thread."""
-    end = time.monotonic() + 10.0
+    """Whether the page says something in the end: how a body swings is found in a thread."""
+    end = time.monotonic() + 60.0
     while text not in said(page) and time.monotonic() < end:
         time.sleep(0.01)
         page.frames(1)
