@@ -15,6 +15,7 @@ from sim.motion.quantities import quantity
 from sim.scene.lesson import Goal, Reading, Step, StepRun
 from sim.settings import CHOICES, scene_of_run, scene_of_step, setting_of
 from sim.solve.registry import METHODS
+from sim.text import Text
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
@@ -35,6 +36,10 @@ _WORDS: dict[str, Key] = {
     "angle": "reading-angle",
     "torque": "reading-torque",
     "speed": "reading-speed",
+    "vx": "reading-vx",
+    "vy": "reading-vy",
+    "momentum_x": "reading-momentum-x",
+    "momentum_y": "reading-momentum-y",
     "distance": "reading-distance",
     "dt_over_limit": "reading-time-step",
 }
@@ -74,7 +79,7 @@ def _at(place: str) -> Iterator[None]:
     try:
         yield
     except (sim.SettingError, InputError) as error:
-        raise type(error)(f"{place}: {error}") from None
+        raise type(error)(Text("{place}: {error}", place=place, error=str(error))) from None
 
 
 def lesson_code(scene: sim.Scene) -> str:

@@ -103,7 +103,9 @@ def no_messages() -> bytes:
 
 
 # ------------------------------------------------------------------------- the panel
-def element_id(handle: viser.GuiInputHandle[Any] | viser.GuiUplotHandle | viser.GuiTabHandle) -> str:
+def element_id(
+    handle: viser.GuiInputHandle[Any] | viser.GuiUplotHandle | viser.GuiHtmlHandle | viser.GuiTabHandle,
+) -> str:
     """The id of a panel's element in the page."""
     return handle._id if isinstance(handle, viser.GuiTabHandle) else handle._impl.uuid
 

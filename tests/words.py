@@ -2,27 +2,33 @@
 
 `uv run python -m tests.words de` says which texts German still lacks, and what is wrong with those that it
 has; without a language it counts those of all. It fails where something is wrong, not where something is
-missing. `uv run python -m tests.words de --write` writes the files of scenes' texts anew: with every English
-text, and nothing where German has none yet.
+missing. `uv run python -m tests.words de --write` writes the files of texts that are known by their English
+anew: with every English text, and nothing where German has none yet.
 """
 
 from __future__ import annotations
 
+import ast as python
 import json
 import re
+import string
 import sys
 from collections.abc import Iterator
 from functools import cache
+from pathlib import Path
 
 from fluent.syntax import ast
 
 import sim
-from app.words import ENGLISH, FOLDER, entries, languages
-from app.words.english import SCENES, catalogue, files, read
+from app.words import ENGLISH, entries, languages
+from app.words.english import SCENES, SIM, catalogue, files, read
+from app.words.spoken import FOLDER
 from sim.edit.texts import with_texts
 from tests.page.generate import places
 
 _TAG = re.compile(r"<[a-z/][^>]*>")
+_PLACE = re.compile(r"\{[^{}]*\}")
+_SIM = Path(__file__).parents[1] / "sim"
 
 
 def texts(tag: str) -> dict[str, ast.Pattern]:
@@ -60,6 +66,24 @@ def write(tag: str) -> None:
     for name, english in of_scenes().items():
         told = json.dumps({text: has.get(text, "") for text in english}, ensure_ascii=False, indent=1)
         (folder / name).write_text(f"{told}\n", encoding="utf-8")
+    told = json.dumps({text: has.get(text, "") for text in sim_templates()}, ensure_ascii=False, indent=1)
+    (FOLDER / tag / SIM).write_text(f"{told}\n", encoding="utf-8")
+
+
+def wrong_templates(own: dict[str, str]) -> Iterator[str]:
+    """Say what is wrong with a language's sentences of `sim`, a sentence each."""
+    known = set(sim_templates())
+    for english, text in own.items():
+        if english not in known:
+            yield f"{SIM}: {english!r} is no English template"
+        elif text and template_places(text) != template_places(english):
+            yield f"{SIM}: {text!r} has other places than {english!r}"
+
+
+def template_places(template: str) -> list[tuple[str, str, str]]:
+    """The places of a template of `sim.text`, sorted, each with its format and its conversion."""
+    found = string.Formatter().parse(template)
+    return sorted((name, form or "", how or "") for _, name, form, how in found if name is not None)
 
 
 def plain(pattern: ast.Pattern) -> str:
@@ -70,6 +94,7 @@ def plain(pattern: ast.Pattern) -> str:
 def missing(tag: str) -> list[str]:
     """The keys of the texts that a language lacks; of scenes, the English texts."""
     lacking = sorted(texts(ENGLISH).keys() - texts(tag).keys())
+    lacking += [text for text in sim_templates() if text not in catalogue(tag)]
     return lacking + [text for each in of_scenes().values() for text in each if text not in catalogue(tag)]
 
 
@@ -87,10 +112,37 @@ def wrong(tag: str) -> Iterator[str]:
             yield f"{key} has other marks than in English"
     known = {text for each in of_scenes().values() for text in each}
     for path in files(tag):
+        if path.name == SIM:
+            yield from wrong_templates(read(path))
+            continue
         for text in read(path).keys() - known:
             yield f"{SCENES}/{path.name}: no scene has the English text {text!r}"
     if languages()[tag].direction not in ("ltr", "rtl"):
         yield "language-direction is neither ltr nor rtl"
+
+
+def sim_texts() -> Iterator[tuple[str, python.Call]]:
+    """Yield the file and the call of every text that `sim` makes, in the order of its sources."""
+    for path in sorted(_SIM.rglob("*.py")):
+        calls = [
+            node
+            for node in python.walk(python.parse(path.read_text(encoding="utf-8")))
+            if isinstance(node, python.Call) and isinstance(node.func, python.Name) and node.func.id == "Text"
+        ]
+        for call in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
+            yield path.relative_to(_SIM.parent).as_posix(), call
+
+
+def sim_templates() -> dict[str, str]:
+    """The templates of `sim`'s texts, with the first file that has them; only those with any words."""
+    found: dict[str, str] = {}
+    for path, call in sim_texts():
+        match call.args:
+            case [python.Constant(str(template))] if re.search(r"[^\W\d_]", _PLACE.sub("", template)):
+                found.setdefault(template, path)
+            case _:
+                pass
+    return found
 
 
 def main(arguments: list[str]) -> int:

@@ -23,6 +23,7 @@ from sim.settings import CHOICES, set_choice, set_value, setting_of
 from ..session import log
 from ..session.log import Log, digest_of
 from ..session.replay import Player
+from ..words.english import of, refusal
 from .answers import Doubt
 
 SPAN = 60.0
@@ -161,7 +162,7 @@ def judge(record: Log, scene: sim.Scene, step: Step, been: Collection[str] = ())
     except _Forged as error:
         return Verdict(refused=error.doubt)
     except (InputError, SettingError) as error:
-        return Verdict(refused=f"{error}.")
+        return Verdict(refused=refusal(error))
 
 
 def _judge(record: Log, scene: sim.Scene, step: Step, seen: Collection[str]) -> Verdict:
@@ -214,7 +215,7 @@ def _check_scene(has: sim.Scene, wanted: sim.Scene, controls: tuple[str, ...], b
                 wanted = set_value(wanted, key, setting_of(has, key).read(has))
         except SettingError as error:
             key = "class-doubt-begins" if begins else "class-doubt-goes-on"
-            raise _Forged(Doubt(key, str(error))) from None
+            raise _Forged(Doubt(key, of(str(error)))) from None
     if _bare(has) != _bare(wanted):
         raise _Forged(Doubt("class-doubt-begins-other" if begins else "class-doubt-goes-on-other"))
 

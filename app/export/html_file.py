@@ -96,7 +96,16 @@ def html_file(
 <img src="{picture}" width="{width}" height="{height}" alt="{title}"></noscript>
 </header>"""
     styles, scripts = ([style, bar.style], [bar.script, script]) if bar else ([style], [script])
-    return document(name_of(scene), f"{header}\n{body}", styles, scripts, data, early, plain=_PLAIN)
+    return document(
+        name_of(scene),
+        f"{header}\n{body}",
+        styles,
+        scripts,
+        data,
+        early,
+        plain=_PLAIN,
+        of_site=bar is not None,
+    )
 
 
 def document(
@@ -108,6 +117,7 @@ def document(
     early: str = "",
     images: str = "data:",
     plain: str = "",
+    of_site: bool = False,
 ) -> bytes:
     """A file that loads nothing but images from where it may, in UTF-8, in the language that is spoken now.
 
@@ -119,6 +129,7 @@ def document(
         early: a script that is no module and runs before anything is shown.
         images: from where it may load images, as its policy has it.
         plain: a style where scripts do not run.
+        of_site: whether it may be installed with the site that it belongs to.
     """
     every = [early, *scripts] if early else list(scripts)
     assert not any("</script" in script.lower() for script in every)
@@ -130,6 +141,7 @@ def document(
             f"img-src {images}",
             "base-uri 'none'",
             "form-action 'none'",
+            *(("manifest-src 'self'", "worker-src 'self'") if of_site else ()),
         )
     )
     head = "\n".join(

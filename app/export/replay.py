@@ -43,7 +43,7 @@ def replay_html(clip: Clip) -> bytes:
 <div class="bar">
 <button id="play" type="button" data-icon="play" aria-label="{said("live-play")}">{icons}</button>
 <input id="time" type="range" min="0" max="1" step="any" value="0" aria-label="{said("replay-time")}">
-<output id="clock" for="time"></output>
+<output id="clock" for="time" aria-live="off" translate="no"></output>
 <select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
 </div></main>"""
     return html_file(clip.frames[0], body, style, script, {"about": about, "data": data})

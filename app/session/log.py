@@ -30,6 +30,7 @@ from sim.scene.numbers import Angle, Vector
 from sim.scene.validate import consistent_pose, validate
 from sim.store.files import MAX_FILE_BYTES, decode_scene, encode_fields, fields_of
 from sim.store.places import as_utf8, repeated_key, sentence_of_json
+from sim.text import Text
 
 FORMAT, VERSION = "softrod-log", 1
 
@@ -430,7 +431,7 @@ def decode_log(data: bytes, source: str, scene: sim.Scene | None = None) -> Log:
     try:
         data = as_utf8(data)
     except UnicodeError as error:
-        raise InputError(f"{source}: {error}") from None
+        raise InputError(Text("{source}: {error}", source=source, error=str(error))) from None
     lines = [(i, line) for i, line in enumerate(data.splitlines(), start=1) if line.strip()]
     number, line = lines[0] if lines else (1, b"")
     log: Log | None = None

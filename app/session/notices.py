@@ -10,6 +10,7 @@ import sim
 from sim.settings import SETTINGS
 
 from ..words import find, say
+from ..words.english import of
 from ..words.keys import Key
 
 About = Literal["runaway", "shape"]
@@ -57,7 +58,8 @@ def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
 
 def shape_notice(error: sim.DesignError) -> Notice:
     """The notice that a body cannot keep its shape."""
-    why = error.sentence[:1].upper() + error.sentence[1:]
+    why = of(error.sentence)
+    why = why[:1].upper() + why[1:]
     if error.stiffening is None:
         text = say("session-shape.text" if error.motion is None else "session-shape.line", why=why)
     else:

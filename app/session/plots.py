@@ -122,9 +122,10 @@ class Plot:
     Args:
         spec: names its quantities.
         scene: has them.
+        in_words: whether its quantities are called by words, as in lessons, instead of by their names.
 
     Attributes:
-        spec: as above.
+        spec, in_words: as above.
         quantities: those of the spec, then the one on the horizontal axis, if that is not the time.
         shown: the time that the page shows, s.
         version: counts changes of what is drawn.
@@ -134,7 +135,8 @@ class Plot:
         InputError: there is no such quantity or part, or there are too many quantities or units.
     """
 
-    def __init__(self, spec: PlotSpec, scene: sim.Scene) -> None:
+    def __init__(self, spec: PlotSpec, scene: sim.Scene, in_words: bool = False) -> None:
+        self.in_words = in_words
         names = tuple(dict.fromkeys(spec.names))
         if len(names) > MAX_SERIES:
             raise InputError(say("session-plot-many", count=MAX_SERIES))

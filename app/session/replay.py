@@ -7,7 +7,7 @@ import time
 import numpy as np
 
 import sim
-from sim.errors import InputError, SceneError, SettingError
+from sim.errors import InputError, SceneError, SettingError, of_field
 from sim.motion.solver import UNLIMITED
 
 from ..words import say
@@ -130,7 +130,8 @@ class Player:
         return say("session-replayed.digest", steps=steps, checks=checks, digest=self._digest)
 
     def _named(self, reason: str) -> InputError:
-        return InputError(f"{self.record.source}: line {self.record.lines[self._index]}: {reason}")
+        line = self.record.lines[self._index]
+        return InputError(of_field(f"{self.record.source}: line {line}", reason))
 
     def _do(self, entry: Entry, most: int) -> int:
         simulation = self.simulation

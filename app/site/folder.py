@@ -23,7 +23,10 @@ MARKER, INDEX = "softrod-gallery.json", "index.html"
 _ASIDE = ".softrod-new"
 """The folder, inside of the gallery's, where its files are until all of them are there."""
 
-_OWN = r"^([a-z0-9][a-z0-9.-]*\.html|pictures/(light|dark)/[a-z0-9][a-z0-9.-]*\.webp)\Z"
+_OWN = (
+    r"^([a-z0-9][a-z0-9.-]*\.html|pictures/(light|dark)/[a-z0-9][a-z0-9.-]*\.webp"
+    r"|manifest\.json|offline\.js|icon-\d+\.png)\Z"
+)
 """What a gallery's files are called: a forged list deletes nothing but such files inside of the folder."""
 
 
@@ -93,7 +96,7 @@ class Folder:
         """Write all files, and return how many bytes they are.
 
         Until all of them are made the gallery that is there stays as it is. Then each takes its place, the
-        index last, and what only the old one had is deleted.
+        index and the service worker last, and what only the old one had is deleted.
 
         Args:
             made: the path of each file, and what makes it.
@@ -117,7 +120,7 @@ class Folder:
                 _write(aside / file, data)
                 size += len(data)
             self._mark(self._old | self._files)
-            for file in sorted(self._files, key=lambda name: name == INDEX):
+            for file in sorted(self._files, key=lambda name: (name.endswith(".js"), name == INDEX)):
                 (path / file).parent.mkdir(parents=True, exist_ok=True)
                 (aside / file).replace(path / file)
             for file in self._old - self._files:

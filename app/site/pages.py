@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import html
 import re
 from collections.abc import Callable, Sequence
@@ -11,6 +12,7 @@ from pathlib import Path
 
 import sim
 from sim.errors import InputError
+from sim.text import Text
 
 from ..bundle import bundle, compact_style
 from ..export.html_file import Bar, document, said
@@ -20,6 +22,7 @@ from ..stage.looks import style_rules
 from ..words import say
 from .entries import Shown
 from .folder import INDEX
+from .install import ICONS, MANIFEST, WORKER, icon, manifest, worker
 
 _FOLDER = Path(__file__).parent / "static"
 _CARDS = Path(__file__).parents[1] / "features" / "gallery" / "gallery.css"
@@ -35,12 +38,13 @@ _ICONS = {
 
 
 def files(scenes: Sequence[Shown], title: str) -> dict[str, Callable[[], bytes]]:
-    """The path of each file of a gallery, and what makes it.
+    """The path of each file of a gallery, and what makes it; they are to be made in this order.
 
     Args:
         scenes: in order.
         title: of the gallery; if it is empty, the usual one.
     """
+    title = title or say("site-title")
     made: dict[str, Callable[[], bytes]] = {}
     for i, scene in enumerate(scenes):
         before = scenes[i - 1] if i else None
@@ -48,8 +52,20 @@ def files(scenes: Sequence[Shown], title: str) -> dict[str, Callable[[], bytes]]
         made[_page(scene)] = partial(_live, scene, before, after)
         for dark in (False, True):
             made[_picture(scene, dark)] = partial(_painted, scene, dark)
-    made[INDEX] = partial(_index, scenes, title or say("site-title"))
-    return made
+    made[INDEX] = partial(_index, scenes, title)
+    made[MANIFEST] = partial(manifest, title)
+    made |= {file: partial(icon, size) for file, size in ICONS.items()}
+    digests: dict[str, str] = {}
+
+    def noted(file: str, make: Callable[[], bytes]) -> bytes:
+        data = make()
+        digests[file] = hashlib.sha256(data).hexdigest()
+        return data
+
+    # The last one: it names all others.
+    return {file: partial(noted, file, make) for file, make in made.items()} | {
+        WORKER: partial(worker, digests)
+    }
 
 
 def _page(scene: Shown) -> str:
@@ -73,7 +89,7 @@ def _live(scene: Shown, before: Shown | None, after: Shown | None) -> bytes:
     try:
         return live_html(sim.Simulation(scene.scene).capture(), bar)[0]
     except InputError as error:
-        raise InputError(f"{scene.name}: {error}") from None
+        raise InputError(Text("{scene}: {error}", scene=scene.name, error=str(error))) from None
 
 
 def _bar(scene: Shown, before: Shown | None, after: Shown | None) -> str:
@@ -140,7 +156,7 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
 <p id="none" role="status"></p>
 {sections}
 </main>
-<footer>{said("site-made")}</footer>"""
+<footer>{said("site-made")} <span id="kept" role="status"></span></footer>"""
     searched = [
         {"name": one.name, "file": one.file, "title": one.title, "text": one.text, "group": one.group}
         for one in scenes
@@ -156,6 +172,7 @@ def _index(scenes: Sequence[Shown], title: str) -> bytes:
         early_script(),
         images="'self' data:",
         plain="#tools>:not(nav){display:none}",
+        of_site=True,
     )
 
 

@@ -355,6 +355,23 @@ export function shift(dx, dy) {
   if (fitted) fittedEye = eye();
 }
 
+/**
+ * Moves the view as its user does: by parts of its height, and by how many times nearer.
+ *
+ * @param {number} across @param {number} up @param {number} nearer
+ */
+export function moveView(across, up, nearer) {
+  const seen = viserCamera();
+  if (!seen?.controls) return;
+  const { camera, controls, place } = seen;
+  const height = 2 * controls.distance * Math.tan((camera.fov * Math.PI) / 360);
+  const [from, to] = [place(0, 0, 0), place(across * height, up * height, 0)];
+  const end = controls.getTarget(camera.position.clone(), true);
+  controls.moveTo(end.x + to.x - from.x, end.y + to.y - from.y, end.z + to.z - from.z, false);
+  controls.dollyTo(controls.distance / nearer, false);
+  controls.update(0);
+}
+
 /** Keeps the camera from turning, and fits every new scene and every new size of the window. */
 export function keepFlat() {
   /** @type {unknown} */

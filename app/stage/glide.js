@@ -63,6 +63,8 @@ export class Glide {
       this.interval += (gap > this.interval ? 0.5 : 0.05) * (gap - this.interval);
     }
     this.frames.push({ ...frame, at });
+    // A page in the background shows none of them, and would keep all.
+    while (this.frames.length > 2 && this.frames[1].at < at - TOO_LATE) this.frames.shift();
     // The fastest frame gives the difference of the clocks; forgotten slowly, since clocks drift.
     this.ahead = Math.max(this.ahead - 1e-4 * Math.min(gap, 1), at - now);
   }

@@ -1,7 +1,7 @@
 // @ts-check
 /** The angle of a joint on the screen, and texts of angles and lengths. Arithmetic only. */
 import { wrapped } from "./draw.js";
-import { decimal } from "../words/words.js";
+import { decimal, say } from "../words/words.js";
 
 /**
  * The direction of a joint's first spring and the angle to its second one on the screen, degrees anticlockwise; and the
@@ -29,6 +29,12 @@ export function jointAngles(plan, frame, joint) {
 
 /** An angle as text; zero has no sign. @param {number} angle degrees */
 export const degrees = (angle) => decimal(`${(Number(angle.toFixed(1)) + 0).toFixed(1)}°`.replace("-", "−"));
+
+/** A place in the scene in words. @param {number} x @param {number} y @param {string} unit */
+export function placeText(x, y, unit) {
+  const [across, up] = [x, y].map((value) => decimal(String(Number(value.toPrecision(4)) + 0).replace("-", "−")));
+  return say("ui-place", { x: across, y: up, unit }).trim();
+}
 
 /** A round length as text; parts of a metre in cm. @param {number} size @param {string} unit */
 export function lengthText(size, unit) {

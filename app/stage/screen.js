@@ -28,6 +28,14 @@ export function onScreen(plan, positions, on) {
  */
 export const worldAt = (place, on) => ({ x: (place.x - on.x) / on.step, y: (on.y - place.y) / on.step });
 
+/**
+ * The place in the scene of a point of the world.
+ *
+ * @param {import("./plan.js").Plan} plan
+ * @param {{x: number, y: number}} point
+ */
+export const sceneAt = (plan, { x, y }) => ({ x: x / plan.scale + plan.x, y: (y / plan.scale) * plan.flip + plan.y });
+
 /** Pixels from a mass within which it is grabbed, by the kind of pointer. */
 export const REACH = { mouse: 12, pen: 16, touch: 26 };
 

@@ -6,18 +6,22 @@ const NAME = "softrod-access";
  * @typedef {object} Access
  * @property {"always" | "body" | "never"} letters when letters, digits, signs and Space are commands
  * @property {boolean} still whether nothing moves by itself, whatever the system says
+ * @property {boolean} sound whether anything is heard
+ * @property {boolean} events whether a screen reader is told what happens
+ * @property {boolean} taps whether a tap picks up what can be dragged, and the next one says where it goes
  * @property {boolean} contrast whether letters and edges stand out more, whatever the system says
  */
 /** @type {Access} */
-export const USUAL = { letters: "always", still: false, contrast: false };
+export const USUAL = { letters: "always", still: false, contrast: false, sound: true, events: false, taps: false };
 
 const calm = typeof matchMedia === "undefined" ? null : matchMedia("(prefers-reduced-motion: reduce)");
 
 /** What is kept, as far as it can be read. @returns {Access} */
 function read() {
   try {
-    const { letters, still, contrast } = JSON.parse(localStorage.getItem(NAME) || "{}");
-    return { letters: letters === "body" || letters === "never" ? letters : USUAL.letters, still: still === true, contrast: contrast === true };
+    const { letters, still, contrast, sound, events, taps } = JSON.parse(localStorage.getItem(NAME) || "{}");
+    const when = letters === "body" || letters === "never" ? letters : USUAL.letters;
+    return { letters: when, still: still === true, contrast: contrast === true, sound: sound !== false, events: events === true, taps: taps === true };
   } catch {
     // The browser stores nothing, or somebody has changed it.
     return USUAL;
@@ -25,6 +29,11 @@ function read() {
 }
 
 let now = read();
+/** @type {(() => void)[]} */
+const watchers = [];
+
+/** Calls back when a setting has changed. @param {() => void} changed */
+export const onAccess = (changed) => void watchers.push(changed);
 
 /** The settings. */
 export const access = () => now;
@@ -41,6 +50,7 @@ export function setAccess(changed) {
     // They hold until the page is left.
   }
   apply();
+  for (const changed of watchers) changed();
 }
 
 /** Shows them where only the style is concerned. */

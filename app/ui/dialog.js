@@ -20,6 +20,12 @@ export function make(kind, name, text = "") {
   return element;
 }
 
+/** What no browser is to translate: a name, a code, a number with its unit. @template {HTMLElement} E @param {E} element */
+export function untranslated(element) {
+  element.translate = false;
+  return element;
+}
+
 /** An outlined or filled icon of 24 by 24 as HTML, with a word beside it. @param {string} path @param {string} [word] */
 export const iconHtml = (path, word) =>
   `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${path}"/></svg>${word === undefined ? "" : `<span>${word}</span>`}`;

@@ -9,6 +9,7 @@ import viser
 
 from ..session.notices import About, Notice
 from ..session.session import Session
+from ..words.english import of
 
 _COLORS: dict[str, Literal["red", "orange", "green"]] = {"error": "red", "warning": "orange", "info": "green"}
 
@@ -64,8 +65,8 @@ class NoticeBoard:
         while self._waiting:
             notice = self._waiting.popleft()
             handle = self._client.add_notification(
-                notice.title,
-                notice.text,
+                of(notice.title),
+                of(notice.text),
                 color=_COLORS[notice.kind],
                 auto_close_seconds=seconds_for(notice),
             )

@@ -4,6 +4,7 @@
  * the browser remembers it. Other browsers make up a secret, by which the server finds their scenes again.
  */
 import { onMessage, pageState, send } from "../wire/channel.js";
+import { remember, remembered } from "./kept/storage.js";
 
 const BEGIN = "#owner=";
 const OWNER = "softrod-owner";
@@ -11,28 +12,6 @@ const TEACHER_BEGIN = "#teacher=";
 /** Where the secret of the page's class is stored. */
 const TEACHER = `softrod-teacher-${(new URLSearchParams(location.search).get("room") ?? "").toUpperCase()}`;
 const VISITOR = "softrod-visitor";
-
-/** Instead of a storage that the browser forbids. @type {Map<string, string>} */
-const memory = new Map();
-
-/** @param {string} name */
-function remembered(name) {
-  try {
-    return localStorage.getItem(name) ?? memory.get(name) ?? "";
-  } catch {
-    return memory.get(name) ?? "";
-  }
-}
-
-/** @param {string} name @param {string} text */
-function remember(name, text) {
-  memory.set(name, text);
-  try {
-    localStorage.setItem(name, text);
-  } catch {
-    // Forbidden or full.
-  }
-}
 
 /** Moves a key from the page's address into the storage; returns true if there was one. */
 function takeKey() {
@@ -44,17 +23,18 @@ function takeKey() {
 }
 
 function visitor() {
-  if (!/^[0-9a-f]{32}$/.test(remembered(VISITOR))) {
-    const bytes = crypto.getRandomValues(new Uint8Array(16));
-    remember(VISITOR, [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join(""));
-  }
-  return remembered(VISITOR);
+  const known = remembered(VISITOR) ?? "";
+  if (/^[0-9a-f]{32}$/.test(known)) return known;
+  const bytes = crypto.getRandomValues(new Uint8Array(16));
+  const made = [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+  remember(VISITOR, made);
+  return made;
 }
 
 /** Identifies the user to every new connection; call it before links are taken out of the address. */
 export function identify() {
   takeKey();
-  const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER), teacher: remembered(TEACHER) });
+  const say = () => send({ do: "who", visitor: visitor(), owner: remembered(OWNER) ?? "", teacher: remembered(TEACHER) ?? "" });
   /** @type {string | undefined} */
   let page;
   onMessage("pageState", () => {

@@ -44,6 +44,17 @@ class Plots(Protocol):
         """True if one of them shows the energy balance."""
         ...
 
+    def __len__(self) -> int: ...
+
+    def play(self, index: int) -> None:
+        """Play one of them as sound."""
+
+    def turn_live(self, index: int) -> None:
+        """Hear one of them while the body moves, or no longer."""
+
+    def fall_silent(self) -> None:
+        """Hear none of them while the body moves."""
+
 
 @dataclass
 class Page:

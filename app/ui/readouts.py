@@ -226,7 +226,7 @@ def predictability_table(session: Session) -> str:
         say("errors-solver"): f"{1e3 * meter.cost:.3f} ms",
     }
     kind = "softrod-lag" if meter.is_chaotic else "softrod-about"
-    return f'{table(rows)}<div class="softrod-text {kind}">{html.escape(meter.verdict)}</div>'
+    return f'{table(rows)}<div class="softrod-text {kind}">{html.escape(of(meter.verdict))}</div>'
 
 
 _MORE: dict[str, Key] = {
@@ -283,7 +283,7 @@ def tuning_table(
             rows[say(_MORE[one.key])] = effects
     notes = "".join(
         f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
-        for note in found.notes
+        for note in map(of, found.notes)
     )
     return table(rows) + notes
 

@@ -11,11 +11,22 @@ import numpy as np
 import viser
 from numpy.typing import NDArray
 
+from sim.text import Text
+
 from .. import viser_inside as viser_inside
 from ..viser_inside import SoftrodMessage
+from ..words.english import of
 from .messages import FromPage, Numbers, State, ToPage, read
 
-_encode = msgspec.json.Encoder().encode
+
+def _said(value: object) -> str:
+    """What the page is sent of a sentence of `sim`: what it is in the language that is spoken now."""
+    if isinstance(value, Text):
+        return of(value)
+    raise NotImplementedError(f"{type(value).__name__} cannot be sent")
+
+
+_encode = msgspec.json.Encoder(enc_hook=_said).encode
 _event_numbers = itertools.count()
 
 

@@ -18,6 +18,8 @@ const PATIENCE = 8000 / HURRY;
 export const CHECK_EVERY = 1000 / HURRY;
 /** Milliseconds between two checks that prove that the page itself was suspended: hidden, or on a sleeping machine. */
 const STOOD = 2500;
+/** Milliseconds of silence before a connection is replaced that may have ended while the page was suspended. */
+const GIVE_UP_AFTER_STANDING = 5000 / HURRY;
 /** Milliseconds of silence before the server is asked for a sign of life. */
 const ASK_AFTER = 2000 / HURRY;
 /** Milliseconds of silence before the page says so. */
@@ -53,6 +55,8 @@ export class Pulse {
   constructor() {
     this.silence = 0;
     this.looked = -Infinity;
+    /** Whether the page was suspended since it last heard something. Networks drop connections of devices that sleep, without a word. */
+    this.stood = false;
     /**
      * Silence before it is replaced. While a large message arrives slowly there is silence, too, so this time grows, until a
      * connection has been well for the longest such time.
@@ -64,6 +68,7 @@ export class Pulse {
   /** Notes that a message has arrived. */
   heard() {
     this.silence = 0;
+    this.stood = false;
   }
 
   /**
@@ -74,16 +79,20 @@ export class Pulse {
    */
   look(now) {
     const passed = now - this.looked;
-    this.looked = now;
     // Messages that arrived while the page was suspended may be delivered after this call, so that time does not count.
     if (passed < STOOD) {
       this.silence += passed;
       this.well = this.silence < SILENT_AFTER ? this.well + passed : 0;
-    }
-    if (this.well >= GIVE_UP_LATEST) this.patience = GIVE_UP_AFTER;
-    if (this.silence >= this.patience) {
-      this.patience = Math.min(2 * this.patience, GIVE_UP_LATEST);
+    } else if (this.looked > -Infinity) {
+      this.stood = true;
       this.silence = 0;
+    }
+    this.looked = now;
+    if (this.well >= GIVE_UP_LATEST) this.patience = GIVE_UP_AFTER;
+    if (this.silence >= (this.stood ? Math.min(this.patience, GIVE_UP_AFTER_STANDING) : this.patience)) {
+      if (!this.stood) this.patience = Math.min(2 * this.patience, GIVE_UP_LATEST);
+      this.silence = 0;
+      this.stood = false;
       return "dead";
     }
     if (this.silence >= SILENT_AFTER) return "silent";

@@ -1,9 +1,9 @@
 // Made by `uv run python -m tests.page.generate` from app/wire.
-export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "access" | "describe" | "body" | "lengths" | "angles";
+export type CommandName = "play" | "step" | "steps" | "back" | "forward" | "second" | "before" | "reset" | "pause" | "run" | "forget" | "follow" | "ownBody" | "plot" | "hear" | "hearLive" | "stopwatch" | "energy" | "foretell" | "ownSolver" | "share" | "video" | "picture" | "gallery" | "anew" | "muscle" | "modes" | "mute" | "race" | "leaveRace" | "lesson" | "edit" | "cross" | "undo" | "redo" | "hand" | "build" | "joint" | "select" | "cut" | "pin" | "remove" | "duplicate" | "copy" | "all" | "mirror" | "corners" | "triangulate" | "rest" | "keep" | "stiffen" | "fit" | "chase" | "larger" | "dark" | "meter" | "gizmos" | "palette" | "help" | "access" | "describe" | "describeBody" | "body" | "lengths" | "angles";
 /** Texts that are too long for one message. */
 export type TextKind = "resume" | "link" | "file" | "rival" | "paste";
 /** Commands that the page's script does, by the features that they belong to. */
-export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit"; view: "fit" | "chase" | "larger" | "palette"; access: "access"; reading: never; describe: never; hands: never };
+export type PageCommands = { time: never; lesson: never; play: never; measure: never; instruments: never; fit: never; solver: never; files: "share" | "video" | "picture"; gallery: "gallery"; muscles: never; modes: "mute"; race: "race"; making: never; edit: "edit" | "cross"; view: "fit" | "chase" | "larger" | "palette"; access: "access"; reading: never; describe: "describe"; hands: never };
 /** New values of fields of a step, see `sim.scene.lesson.Step`; null removes one. */
 export type StepChanges = { title?: string; do?: string; watch?: string; question?: QuestionDraft | null; predict?: number | null; goal?: GoalDraft | null; collect?: ReadingDraft | null; controls?: string[]; plots?: null; arrows?: null; run?: null; ghost?: string };
 /** A question as it is written, see `sim.scene.lesson.Question`. */
@@ -64,6 +64,8 @@ export type Goal = { quantity: string; of: "period" | "value"; low: number | nul
 export type Reading = { quantity: string; of: "period" | "value" };
 /** A slider or a list that a step can offer. */
 export type LessonControl = { key: string; label: string };
+/** A line of a plot that is heard. */
+export type HeardLine = { name: string; unit: string; bottom: number; top: number; turns: boolean; values: (number | null)[] };
 /** Whether less motion is wished: a body that is opened then stands until it is played. */
 export type Still = { do: "still"; on: boolean };
 /** A slider of the step's is moved. */
@@ -110,6 +112,10 @@ export type ToWall = { do: "toWall"; answer: string };
 export type Bring = { do: "bring"; text: string };
 /** Something is to be done with one seat. */
 export type OneSeat = { do: "oneSeat"; seat: number; what: "hide" | "move" | "reset" | "sendAway" | "show" };
+/** Describe the part that is selected, or else a mass, or else the body. */
+export type Describe = { do: "describe"; mass?: number | null };
+/** Say when the body touches something after it was free, or no longer. */
+export type FollowTouches = { do: "followTouches"; on: boolean };
 /** Change the name and the description of the scene. */
 export type SetTexts = { do: "setTexts"; name: string; description: string };
 /** Change the frequency of the beat of all muscles, Hz. */
@@ -206,7 +212,7 @@ export type Unsent = { do: "unsent"; what: TextKind };
 export type Who = { do: "who"; visitor: string; owner?: string; teacher?: string };
 /** A part of a text that is too long for one message. */
 export type Part = { do: "part"; kind: TextKind; number: number; of: number; letters: string };
-export type FromPage = Still | SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | InView | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
+export type FromPage = Still | SetNumber | SetWord | GiveVote | GivePrediction | GiveLine | GiveWork | RaiseHand | NewName | SitTogether | LeaveBy | TakeOver | WalkTo | Follow | Checked | Stage | ChooseLesson | ChooseNetwork | Arrange | Star | ToWall | Bring | OneSeat | Describe | FollowTouches | SetTexts | Tempo | Select | Marquee | Place | Line | Hold | Turn | Stroke | Move | MoveMuscles | ShapeMuscles | Act | Share | ListScenes | OpenScene | UseInClass | ChangeScene | Keys | At | Grab | Drop | Pick | BeginStep | MakeLesson | AddStep | CopyStep | RemoveStep | MoveStep | ChangeStep | TakeInStep | LeadInStep | TryStep | EndTrying | DropLesson | FirstPlot | InView | Seen | PutMode | DriveMode | CloseCard | GoTo | Speed | Perform | Visit | Unsent | Who | Part;
 /** What a pupil's page has to know of the class. */
 export type Seat = { tell: "seat"; code: string; problem: string; name: string; color: string; turn: number; two: boolean; hand: boolean; types_name: boolean; is_given: boolean; digits: string; follows: boolean; gathered: boolean; paused: boolean; away: boolean; on_wall: boolean; elsewhere: "" | "device" | "page"; reached: boolean; reading: string; found: Found[]; own: Found | null; axes: Axes; home: string; told: boolean; done: boolean[]; asking: Asking | null; given: Given[] };
 /** What a pupil has to work with: sliders, plots, and arrow keys. */
@@ -231,7 +237,9 @@ export type Brought = { tell: "brought"; told: string; refused: boolean };
 export type ClassEnded = { tell: "classEnded" };
 /** What the plots of a page show now. */
 export type Readings = { tell: "readings"; numbers: Float32Array };
-/** What the body is like, in words. */
+/** The body touches something after it was free. */
+export type Touched = { tell: "touched"; by: "body" | "floor" | "wall" };
+/** What the body, or a part of it, is like, in words. */
 export type Described = { tell: "described"; text: string };
 /** The selection. */
 export type Selected = { tell: "selected"; masses: number[]; springs: number[]; joints: number[] };
@@ -273,10 +281,12 @@ export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; st
 export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** The result of a change of the lesson. */
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
+/** The newest values of the plot that is heard while the body moves. */
+export type Tones = { tell: "tones"; plot: string; time: number; lines: HeardLine[] };
 /** Turn to the Measure tab, where a plot is about to appear. */
 export type ShowMeasures = { tell: "showMeasures" };
 /** Play a plot as a melody. */
-export type Melody = { tell: "melody"; name: string; unit: string; values: (number | null)[] };
+export type Melody = { tell: "melody"; plot: string; way: "frequency" | "path" | "time"; moments: number[]; lines: HeardLine[] };
 /** The slow vibrations of the body, while the strip of modes is open. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
 /** Shapes of the modes, see `modes.feature.encode_shapes`; empty while the strip is closed. */
@@ -309,7 +319,7 @@ export type SecondPlan = { tell: "secondPlan"; numbers: Float32Array };
 export type Frame = { tell: "frame"; numbers: Float32Array; wall: number };
 /** Yielded and broken springs; sent only when that changes. */
 export type Damage = { tell: "damage"; numbers: Float32Array };
-export type ToPage = Seat | Bench | Alone | Wall | Predictions | Posters | Desk | Remark | Taken | Brought | ClassEnded | Readings | Described | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | PutBack | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
+export type ToPage = Seat | Bench | Alone | Wall | Predictions | Posters | Desk | Remark | Taken | Brought | ClassEnded | Readings | Touched | Described | Selected | Versions | Copied | TextsTaken | Link | Measured | Fan | OfferGallery | ShelfChanged | Scenes | ScenePictures | SceneChanged | UsedInClass | Tools | PutBack | Arrows | Lesson | LessonForm | LessonOffers | LessonTaken | Tones | ShowMeasures | Melody | Modes | ModeShapes | ModeLevels | Race | RaceAnswer | MassCard | PageState | Hud | Keepsake | ControlLook | Run | Resumed | Plan | SecondPlan | Frame | Damage;
 /** What is in arrays of numbers, by the tags of their messages. */
 export type Layouts = {
   readings: {
@@ -392,4 +402,4 @@ export type Layouts = {
   };
 };
 /** Messages to the page, by their tags. */
-export type Received = { seat: Seat; bench: Bench; alone: Alone; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; remark: Remark; taken: Taken; brought: Brought; classEnded: ClassEnded; readings: Readings; described: Described; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; putBack: PutBack; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };
+export type Received = { seat: Seat; bench: Bench; alone: Alone; wall: Wall; predictions: Predictions; posters: Posters; desk: Desk; remark: Remark; taken: Taken; brought: Brought; classEnded: ClassEnded; readings: Readings; touched: Touched; described: Described; selected: Selected; versions: Versions; copied: Copied; textsTaken: TextsTaken; link: Link; measured: Measured; fan: Fan; offerGallery: OfferGallery; shelfChanged: ShelfChanged; scenes: Scenes; scenePictures: ScenePictures; sceneChanged: SceneChanged; usedInClass: UsedInClass; tools: Tools; putBack: PutBack; arrows: Arrows; lesson: Lesson; lessonForm: LessonForm; lessonOffers: LessonOffers; lessonTaken: LessonTaken; tones: Tones; showMeasures: ShowMeasures; melody: Melody; modes: Modes; modeShapes: ModeShapes; modeLevels: ModeLevels; race: Race; raceAnswer: RaceAnswer; massCard: MassCard; pageState: PageState; hud: Hud; keepsake: Keepsake; controlLook: ControlLook; run: Run; resumed: Resumed; plan: Plan; secondPlan: SecondPlan; frame: Frame; damage: Damage };

@@ -1,25 +1,36 @@
-"""Texts that are known by their English, in the language that is spoken now: those of presets and lessons.
+"""Texts that are known by their English, in the language that is spoken now.
 
-A scene keeps its texts as they were written, so it can be saved, shared and shown to several people, each in
-a language of their own. `of` is for where a text is shown. A language's folder has a file a preset,
-`app/words/de/scenes/rope.json`: an object with English texts and what they are in that language.
+They are those of presets and lessons, and the sentences of `sim`. A scene keeps its texts as they were
+written, so it can be saved, shared and shown to several people, each in a language of their own. `of` is for
+where a text is shown.
+
+A language's folder has a file a preset, `app/words/de/scenes/rope.json`, and `app/words/de/sim.json`: objects
+with English texts and what they are in that language. Of a sentence it is the template, see `sim.text`.
 """
 
 from __future__ import annotations
 
+import string
+from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
 from sim.edit.texts import step_with_texts, with_texts
 from sim.scene.lesson import Step
 from sim.scene.types import Scene, shown_name
+from sim.text import Text
 
-from . import ENGLISH, FOLDER, PSEUDO, language, pseudo
+from . import spoken
+from .spoken import ENGLISH, PSEUDO, decimal, language, pseudo
 
 SCENES = "scenes"
 """The folder of a language with the texts of presets."""
+
+SIM = "sim.json"
+"""The file of a language with the sentences of `sim`."""
 
 
 @cache
@@ -29,8 +40,9 @@ def catalogue(tag: str) -> dict[str, str]:
 
 
 def files(tag: str) -> list[Path]:
-    """The files of a language's texts."""
-    return sorted((FOLDER / tag / SCENES).glob("*.json"))
+    """The files of a language's texts that are known by their English."""
+    folder = spoken.FOLDER / tag
+    return [*sorted((folder / SCENES).glob("*.json")), *folder.glob(SIM)]
 
 
 def read(path: Path) -> dict[str, str]:
@@ -42,15 +54,42 @@ def read(path: Path) -> dict[str, str]:
     try:
         return msgspec.json.decode(path.read_bytes(), type=dict[str, str])
     except msgspec.DecodeError as error:
-        raise ValueError(f"{path.parent.parent.name}/{SCENES}/{path.name}: {error}") from None
+        raise ValueError(f"{path}: {error}") from None
+
+
+class _Filled(string.Formatter):
+    """Fills a template with texts and numbers as the language writes them."""
+
+    def parse(self, format_string: str) -> Iterable[tuple[str, str | None, str | None, str | None]]:
+        """Yield the template's pieces, see `string.Formatter`."""
+        for literal, name, form, conversion in super().parse(format_string):
+            yield pseudo(literal) if language() == PSEUDO else literal, name, form, conversion
+
+    def convert_field(self, value: Any, conversion: str | None) -> Any:
+        """See `string.Formatter`; a text in a place is said in the same language."""
+        return super().convert_field(of(value) if isinstance(value, Text) else value, conversion)
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        """See `string.Formatter`."""
+        text = super().format_field(value, format_spec)
+        return decimal(text) if isinstance(value, float) else text
 
 
 def of(text: str) -> str:
     """A text in the language that is spoken now; as it is if the language has no other."""
     tag = language()
     if tag == ENGLISH:
-        return text
+        return str.__str__(text)
+    if isinstance(text, Text):
+        template = catalogue(tag).get(text.template, text.template)
+        return _Filled().vformat(template, (), text.parts)
     return pseudo(text) if tag == PSEUDO else catalogue(tag).get(text, text)
+
+
+def refusal(error: Exception) -> str:
+    """What an error says, as a sentence with a capital letter and a full stop."""
+    text = of(str(error))
+    return f"{text[:1].upper()}{text[1:]}{'' if text.endswith(('.', '?', '؟')) else '.'}"
 
 
 def name_of(scene: Scene) -> str:

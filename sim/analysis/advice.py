@@ -21,6 +21,7 @@ from ..motion.simulation import Simulation
 from ..scene.types import Integrator, Scene
 from ..scene.validate import validate
 from ..solve.registry import METHODS
+from ..text import Text
 
 ERRORS = (1.0, 0.1)
 """Default errors for which a method is recommended, px."""
@@ -152,7 +153,7 @@ def compare_methods(scene: Scene, errors: tuple[float, ...] = ERRORS, wait: bool
     """
     scene = validate(scene)
     if not errors or not all(0.0 < error < math.inf for error in errors):
-        raise InputError("compare_methods: errors are numbers above zero, px")
+        raise InputError(Text("{where}: errors are numbers above zero, px", where="compare_methods"))
     return _Comparison(scene, errors, wait).advice()
 
 
@@ -177,7 +178,7 @@ class _Comparison:
             tolerance = max(part * min(self._errors), 1e-11)
             runs = [self._simulation(method, tolerance) for method in _REFERENCES]
             if any(run.plain for run in runs):
-                raise InputError("the solver is still being compiled; try again in a moment")
+                raise InputError(Text("the solver is still being compiled; try again in a moment"))
             ends = [run.positions for run in runs if _run(run, 10.0 * _PATIENCE) < math.inf]
             apart = _distance(*ends) if len(ends) == 2 else math.inf
             if ends and (best is None or apart < best[1]):
@@ -185,7 +186,13 @@ class _Comparison:
             if apart <= 0.1 * _SURE * min(self._errors):
                 break
         if best is None:
-            raise InputError(f"{self._scene.name}: no method comes to the end of {SECONDS:g} s")
+            raise InputError(
+                Text(
+                    "{scene}: no method comes to the end of {seconds:g} s",
+                    scene=self._scene.name,
+                    seconds=SECONDS,
+                )
+            )
         return best
 
     def _explore(self, method: str, right: Floats) -> Iterator[Tried]:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..text import Text
 from .spectrum import spectrum
 
 Floats = NDArray[np.float64]
@@ -65,14 +66,15 @@ class _Kind(NamedTuple):
     """A kind of curve, over u: 0 at the first of the points and 1 at the last.
 
     Attributes:
-        says: what it is, in a sentence.
+        needs, fails: why it cannot be fitted.
         values: of u and the numbers of the curve.
         slopes: derivatives of the values by the numbers, one column each.
         starts: numbers to search from, of u and the values that the curve is fitted to.
         numbers: name, unit and value of what is reported, of the numbers and the range of the points.
     """
 
-    says: str
+    needs: Text
+    fails: Text
     values: Callable[..., Floats]
     slopes: Callable[..., Floats]
     starts: Callable[[Floats, Floats], list[float]]
@@ -99,11 +101,11 @@ def fit_curve(name: str, x: Floats, y: Floats) -> Curve:
     low, reach = (float(x.min()), float(np.ptp(x))) if x.size else (0.0, 0.0)
     least = _count(kind) + SPARE
     if (points := len(np.unique(x))) < least:
-        raise InputError(f"{kind.says} takes {least} points at least, and {points} are in view")
+        raise InputError(kind.needs.with_parts(least=least, points=points))
     size, middle = float(np.ptp(y)), float(y.mean())
     size = size if size > 0.0 else max(abs(middle), 1.0)
     u, v = (x - low) / reach, (y - middle) / size
-    failed = InputError(f"the fit of {kind.says} does not converge: what is in view is no such curve")
+    failed = InputError(kind.fails)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", OptimizeWarning)
@@ -258,14 +260,16 @@ def _swing(numbers: Floats, reach: float) -> list[tuple[str, tuple[int, int], fl
 
 CURVES: dict[str, _Kind] = {
     "line": _Kind(
-        "a line",
+        Text("a line takes {least} points at least, and {points} are in view", least=0, points=0),
+        Text("the fit of a line does not converge: what is in view is no such curve"),
         _line,
         _powers,
         lambda u, v: [float(v[0]), float(v[-1] - v[0])],
         lambda n, reach: [("start", (1, 0), n[0]), ("slope", (1, -1), n[1] / reach)],
     ),
     "parabola": _Kind(
-        "a parabola",
+        Text("a parabola takes {least} points at least, and {points} are in view", least=0, points=0),
+        Text("the fit of a parabola does not converge: what is in view is no such curve"),
         _parabola,
         _powers,
         lambda u, v: [float(v[0]), float(v[-1] - v[0]), 0.0],
@@ -275,16 +279,25 @@ CURVES: dict[str, _Kind] = {
             ("second derivative", (1, -2), 2.0 * n[2] / reach**2),
         ],
     ),
-    "sine": _Kind("a sine", _sine, _sine_slopes, _sine_starts, _swing),
+    "sine": _Kind(
+        Text("a sine takes {least} points at least, and {points} are in view", least=0, points=0),
+        Text("the fit of a sine does not converge: what is in view is no such curve"),
+        _sine,
+        _sine_slopes,
+        _sine_starts,
+        _swing,
+    ),
     "decaying sine": _Kind(
-        "a decaying sine",
+        Text("a decaying sine takes {least} points at least, and {points} are in view", least=0, points=0),
+        Text("the fit of a decaying sine does not converge: what is in view is no such curve"),
         _decaying,
         _decaying_slopes,
         _decaying_starts,
         lambda n, reach: [*_swing(n, reach), ("decay rate", (0, -1), n[4] / reach)],
     ),
     "exponential": _Kind(
-        "an exponential",
+        Text("an exponential takes {least} points at least, and {points} are in view", least=0, points=0),
+        Text("the fit of an exponential does not converge: what is in view is no such curve"),
         _exponential,
         _exponential_slopes,
         _exponential_starts,

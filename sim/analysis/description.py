@@ -32,9 +32,9 @@ _EDGE = 0.1
 """Part of the bounding box that counts as its edge."""
 _PLAIN = 0.15
 """Part of the larger side of the box below which the smaller says nothing about where a mass is."""
-_STILL = 0.5
+STILL = 0.5
 """Speed of the fastest mass, px/s, up to which a body is at rest."""
-_STRAINED = 0.005
+STRAINED = 0.005
 """Strain from which on a spring counts as stretched or squeezed."""
 
 
@@ -105,7 +105,7 @@ class Description:
     @property
     def is_still(self) -> bool:
         """Whether it is at rest."""
-        return self.speed <= _STILL
+        return self.speed <= STILL
 
 
 def describe(simulation: Moving, scene: Scene) -> Description:
@@ -121,9 +121,7 @@ def describe(simulation: Moving, scene: Scene) -> Description:
     x, v = state.x[index] + 1j * state.y[index], state.vx[index] + 1j * state.vy[index]
     mass = system.body.environment.mass[index]
     held = {anchor.mass for anchor in scene.anchors}
-    broken = np.zeros(len(scene.linear_springs), bool)
-    if state.broken.size:
-        broken[system.spring_order] = state.broken[: broken.size] > 0.0
+    broken = broken_springs(simulation, scene)
     centre, drift = complex(mass @ x / mass.sum()), complex(mass @ v / mass.sum())
     inertia = float(mass @ np.abs(x - centre) ** 2)
     spin = float((mass * ((x - centre).conj() * (v - drift)).imag).sum())
@@ -146,8 +144,17 @@ def describe(simulation: Moving, scene: Scene) -> Description:
         squeezed=_largest(strains, -1.0),
         broken=int(broken.sum()),
         yielded=int(np.count_nonzero(state.set_length) + np.count_nonzero(state.set_angle)),
-        touching=_touching(simulation, index),
+        touching=int(np.any([force != 0.0 for force in touches(simulation).values()], axis=0).sum()),
     )
+
+
+def broken_springs(simulation: Moving, scene: Scene) -> NDArray[np.bool_]:
+    """(S,) whether each spring is broken."""
+    system, state = simulation.tables
+    broken = np.zeros(len(scene.linear_springs), bool)
+    if state.broken.size:
+        broken[system.spring_order] = state.broken[: broken.size] > 0.0
+    return broken
 
 
 def _strains(simulation: Moving, scene: Scene, broken: NDArray[np.bool_]) -> Floats:
@@ -167,19 +174,18 @@ def _largest(strains: Floats, side: float) -> tuple[int, float] | None:
     if not strains.size:
         return None
     spring = int((side * strains).argmax())
-    return (spring, float(strains[spring])) if side * strains[spring] >= _STRAINED else None
+    return (spring, float(strains[spring])) if side * strains[spring] >= STRAINED else None
 
 
-def _touching(simulation: Moving, index: NDArray[np.int64]) -> int:
-    """How many masses a wall or another body pushes."""
+def touches(simulation: Moving) -> dict[str, NDArray[np.complex128]]:
+    """(n,) the force on each mass, kg px/s², of what touches it, by the names of these: walls and contact."""
     system, state = simulation.tables
     physics = Physics(system.body, state)
     x, v = state.x + 1j * state.y, state.vx + 1j * state.vy
-    total = np.zeros(x.shape, bool)
-    for term in (TERMS[k] for k in system.body.environment.acting):
-        if term.touches:
-            total |= np.abs(physics.terms[term.name].forces(x, v)) > 0.0
-    return int(total[index].sum())
+    acting = (TERMS[k] for k in system.body.environment.acting)
+    return {
+        term.name: physics.terms[term.name].forces(x, v)[system.mass_index] for term in acting if term.touches
+    }
 
 
 # ------------------------------------------------------------------------- pieces

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..compiling.compiler import fetch, for_balance
 from ..engine.tables import Floats, Indices, Matrix
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..forces.all import TERMS, accelerations
 from ..forces.joints import JointsReference
 from ..forces.plasticity import NO_LIMITS
@@ -25,6 +25,7 @@ from ..scene.numbers import MAX_COORDINATE
 from ..scene.types import Grips, Pose, Scene
 from ..scene.validate import validate
 from ..solve.linear.implicit import factorise_matrix, solve_matrix
+from ..text import Text
 
 # Unless noted, doubling or halving one of these numbers fails no test.
 _MAX_STEPS = 3000
@@ -208,10 +209,17 @@ class StaticModel:
         if falling.size:
             first = falling[np.argmin(self.system.mass_order[falling - 1])]
             broken = np.concatenate((self.tables.spring_a, self.tables.spring_b))[np.tile(self._broken, 2)]
-            holds = "only broken springs hold" if np.isin(part[first], part[broken]) else "nothing holds"
-            moves = "falls" if any(self.scene.gravity) else "moves away"
+            is_broken, falls = bool(np.isin(part[first], part[broken])), any(self.scene.gravity)
             mass = int(self.system.mass_order[first - 1])
-            raise InputError(f"equilibrium: {holds} mass {mass}, so it {moves}")
+            if is_broken and falls:
+                why = Text("only broken springs hold mass {mass}, so it falls", mass=mass)
+            elif is_broken:
+                why = Text("only broken springs hold mass {mass}, so it moves away", mass=mass)
+            elif falls:
+                why = Text("nothing holds mass {mass}, so it falls", mass=mass)
+            else:
+                why = Text("nothing holds mass {mass}, so it moves away", mass=mass)
+            raise InputError(of_field("equilibrium", why))
 
     @property
     def _broken(self) -> np.ndarray:
@@ -356,7 +364,12 @@ class StaticModel:
         for s in np.flatnonzero(lengths < 1e-9 * max(self.typical, 1.0)).tolist():
             ends = (int(self.tables.spring_a[s]), int(self.tables.spring_b[s]))
             a, b = sorted(int(self.system.mass_order[slot - 1]) for slot in ends)
-            raise InputError(f"equilibrium: the spring between masses {a} and {b} shrinks to no length")
+            raise InputError(
+                of_field(
+                    "equilibrium",
+                    Text("the spring between masses {a} and {b} shrinks to no length", a=a, b=b),
+                )
+            )
 
     def overloads(self, q: Floats) -> list[str]:
         """Describe what would break or yield at positions q and at rest, in one sentence for each kind."""
@@ -369,21 +382,25 @@ class StaticModel:
         force = np.abs(SpringsReference(self.tables, state).pulls(x, still))
         torque = np.abs(JointsReference(self.tables, state).torques(x, still))
         ways = (
-            ("spring", springs, "break", force, "strength", limits.breaking, ""),
-            ("spring", springs, "yield", force, "yield force", limits.yielding + state.hardened, ""),
-            ("joint", joints, "yield", torque, "yield torque", limits.bending, "²"),
+            ("breaks", springs, force, limits.breaking),
+            ("yields", springs, force, limits.yielding + state.hardened),
+            ("bends", joints, torque, limits.bending),
         )
-        sentences = []
-        for part, order, verb, load, what, limit, power in ways:
+        sentences: list[str] = []
+        for how, order, load, limit in ways:
             over = np.flatnonzero(load > (1.0 + _OVER) * limit)
-            if not over.size:
-                continue
-            worst = int(over[np.argmax(load[over] / limit[over])])
-            others = f" and {over.size - 1} more" if over.size > 1 else ""
-            sentences.append(
-                f"{part} {int(order[worst])}{others} would {verb} in the pose at rest: {load[worst]:.4g} kg "
-                f"{unit}{power}/s² is more than its {what} of {limit[worst]:.4g}"
-            )
+            if over.size:
+                worst = int(over[np.argmax(load[over] / limit[over])])
+                said = _overload(
+                    how,
+                    bool(over.size > 1),
+                    index=int(order[worst]),
+                    more=int(over.size) - 1,
+                    load=float(load[worst]),
+                    unit=unit,
+                    limit=float(limit[worst]),
+                )
+                sentences.append(said)
         return sentences
 
     def by_mass(self, q: Floats) -> tuple[Floats, Floats]:
@@ -444,9 +461,17 @@ def _continuation(body: StaticModel) -> Floats:
             body.update_friction_history(q)
             a = body.accelerations(q)
             if not np.abs(q).max() <= MAX_COORDINATE:
-                creeps = ", and friction that creeps holds nothing that is at rest" if body.creeps else ""
                 raise InputError(
-                    f"equilibrium: the body would leave ±{MAX_COORDINATE:g} px; nothing stops it{creeps}"
+                    of_field(
+                        "equilibrium",
+                        Text(
+                            "the body would leave ±{most:g} px; nothing stops it, and friction that creeps "
+                            "holds nothing that is at rest",
+                            most=MAX_COORDINATE,
+                        )
+                        if body.creeps
+                        else Text("the body would leave ±{most:g} px; nothing stops it", most=MAX_COORDINATE),
+                    )
                 )
             # Finally each step is one of Newton's method, whose second iteration hardly moves.
             calm = max(turned / _MAX_ROTATION, ratio / _CONTRACTION)
@@ -463,8 +488,15 @@ def _continuation(body: StaticModel) -> Floats:
         abs(float(a[worst] / body.state.inverse_mass[index])),
     )
     raise InputError(
-        f"equilibrium: no balance was found in {_MAX_STEPS} steps; {force:.3g} kg px/s² are left at mass "
-        f"{mass}"
+        of_field(
+            "equilibrium",
+            Text(
+                "no balance was found in {most} steps; {force:.3g} kg px/s² are left at mass {mass}",
+                most=_MAX_STEPS,
+                force=force,
+                mass=mass,
+            ),
+        )
     )
 
 
@@ -523,3 +555,44 @@ def _search(body: StaticModel, q: Floats, a: Floats) -> tuple[float, Floats, Flo
             break
         part *= 0.5
     return shift, to_q, to_a
+
+
+def _overload(how: str, several: bool, **parts: object) -> Text:
+    """Return the sentence for springs or joints that would not stand the load at rest."""
+    match how, several:
+        case "breaks", False:
+            return Text(
+                "spring {index} would break in the pose at rest: {load:.4g} kg {unit}/s² is more than its "
+                "strength of {limit:.4g}",
+                **parts,
+            )
+        case "breaks", True:
+            return Text(
+                "spring {index} and {more} more would break in the pose at rest: {load:.4g} kg {unit}/s² is "
+                "more than its strength of {limit:.4g}",
+                **parts,
+            )
+        case "yields", False:
+            return Text(
+                "spring {index} would yield in the pose at rest: {load:.4g} kg {unit}/s² is more than its "
+                "yield force of {limit:.4g}",
+                **parts,
+            )
+        case "yields", True:
+            return Text(
+                "spring {index} and {more} more would yield in the pose at rest: {load:.4g} kg {unit}/s² is "
+                "more than its yield force of {limit:.4g}",
+                **parts,
+            )
+        case _, False:
+            return Text(
+                "joint {index} would yield in the pose at rest: {load:.4g} kg {unit}²/s² is more than its "
+                "yield torque of {limit:.4g}",
+                **parts,
+            )
+        case _:
+            return Text(
+                "joint {index} and {more} more would yield in the pose at rest: {load:.4g} kg {unit}²/s² is "
+                "more than its yield torque of {limit:.4g}",
+                **parts,
+            )

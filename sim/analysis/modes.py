@@ -20,7 +20,7 @@ from functools import cached_property
 import numpy as np
 
 from ..engine.tables import Floats, Indices
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..forces.all import TERMS
 from ..forces.rails import ways_of
 from ..forces.reference import Physics
@@ -31,6 +31,7 @@ from ..scene.columns import ends
 from ..scene.parts import constant_force
 from ..scene.types import Scene
 from ..scene.validate import validate
+from ..text import Text
 from .decay import Decay
 from .equilibrium import StaticModel
 from .tuning import Dampers, vibrations_at_rest
@@ -116,10 +117,22 @@ class Modes:
     def __init__(self, scene: Scene, count: int) -> None:
         scene = validate(scene)
         if len(scene.masses) > MAX_MASSES:
-            raise InputError(f"modes: {len(scene.masses)} masses are more than {MAX_MASSES}")
+            raise InputError(
+                of_field(
+                    "modes",
+                    Text("{count} masses are more than {most}", count=len(scene.masses), most=MAX_MASSES),
+                )
+            )
         if len(scene.masses) > MAX_TOUCHING and scene.contact is not None:
             raise InputError(
-                f"modes: a body with contact may have {MAX_TOUCHING} masses, this has {len(scene.masses)}"
+                of_field(
+                    "modes",
+                    Text(
+                        "a body with contact may have {most} masses, this has {count}",
+                        most=MAX_TOUCHING,
+                        count=len(scene.masses),
+                    ),
+                )
             )
         self.scene, found = vibrations_at_rest(scene, count)
         masses = len(scene.masses)
@@ -194,9 +207,19 @@ class Modes:
             InputError: there is no such mode, or the amplitude is not finite or is negative.
         """
         if not 0 <= mode < self.omega.size:
-            raise InputError(f"modes: there is no mode {mode}; there are {self.omega.size}")
+            raise InputError(
+                of_field(
+                    "modes",
+                    Text("there is no mode {mode}; there are {count}", mode=mode, count=self.omega.size),
+                )
+            )
         if not 0.0 <= amplitude < np.inf:
-            raise InputError(f"modes: an amplitude of {amplitude} is not in the range 0.. px")
+            raise InputError(
+                of_field(
+                    "modes",
+                    Text("an amplitude of {amplitude} is not in the range 0.. px", amplitude=amplitude),
+                )
+            )
         now = self.excitation(moment.positions, moment.velocities)
         q, rate = float(now.amplitudes[mode]), float(now.rates[mode])
         to = float(np.clip(q, -amplitude, amplitude))

@@ -25,6 +25,7 @@ from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..solve.registry import METHODS
+from ..text import Text
 
 # Unless noted, doubling or halving one of these numbers fails no test.
 MANY = 100.0
@@ -153,9 +154,17 @@ class Predictability:
     def stopped(self, attempts: int, duration: float) -> Predictability:
         """Return a copy for a run that used up its attempts before its duration, s."""
         until = float(self.times[-1])
-        ended = f"the {attempts} steps that it may try were used up before {duration:g} s"
-        what = f"until {until:.3g} s, {self.verdict}" if until > 0.0 else "how fast errors grow is not known"
-        return replace(self, verdict=f"{what}; {ended}", complete=False)
+        if until > 0.0:
+            known = Text("until {until:.3g} s, {verdict}", until=until, verdict=self.verdict)
+        else:
+            known = Text("how fast errors grow is not known")
+        said = Text(
+            "{known}; the {attempts} steps that it may try were used up before {duration:g} s",
+            known=known,
+            attempts=attempts,
+            duration=duration,
+        )
+        return replace(self, verdict=said, complete=False)
 
     @property
     def per_second(self) -> float:
@@ -187,16 +196,27 @@ def predictability(scene: Scene, duration: float, attempts: int | None = None) -
     """
     if not 0.0 < duration <= _LONGEST_RUN:
         raise InputError(
-            f"predictability: a duration of {duration:g} s is not in the range 0..{_LONGEST_RUN:g} s"
+            Text(
+                "{where}: a duration of {duration:g} s is not in the range 0..{most:g} s",
+                where="predictability",
+                duration=duration,
+                most=_LONGEST_RUN,
+            )
         )
     if attempts is None:
         attempts = max(1, _MASS_STEPS // max(1, len(scene.masses)))
     if isinstance(attempts, bool) or not isinstance(attempts, int) or attempts < 1:
-        raise InputError(f"predictability: attempts is {attempts}, but must be a whole number from 1")
+        raise InputError(
+            Text(
+                "{where}: attempts is {attempts}, but must be a whole number from 1",
+                where="predictability",
+                attempts=attempts,
+            )
+        )
     body = Simulation(scene)
     meter = GrowthMeter(body)
     if meter.held:
-        raise InputError("predictability: every mass of the scene is held")
+        raise InputError(Text("{where}: every mass of the scene is held", where="predictability"))
     steps, sample = max(1, round(duration / body.dt)), max(1, round(_SAMPLE / body.dt))
     left = attempts
     while body.step_count < steps and body.divergence is None and left > 0:
@@ -308,12 +328,27 @@ def verdict(scene: Scene, per_second: float) -> str:
     """
     integrator = scene.integrator
     adaptive = METHODS[integrator.method].adaptive
-    grow = "errors do not grow" if per_second < STILL else f"errors grow × {per_second:.2g} in a second"
-    if per_second < MANY:
-        kept = f"a tolerance of {integrator.tolerance:g} {scene.view.unit} is kept"
-        return f"{grow}: {kept if adaptive else 'a shorter time step makes them smaller'}"
-    what = "tolerance" if adaptive else "time step"
-    return f"{grow}: no {what} can promise where it is in {horizon(scene, per_second):.2g} s"
+    if per_second < STILL:
+        grow = Text("errors do not grow")
+    else:
+        grow = Text("errors grow × {factor:.2g} in a second", factor=per_second)
+    if per_second >= MANY:
+        seconds = horizon(scene, per_second)
+        if adaptive:
+            return Text(
+                "{grow}: no tolerance can promise where it is in {seconds:.2g} s", grow=grow, seconds=seconds
+            )
+        return Text(
+            "{grow}: no time step can promise where it is in {seconds:.2g} s", grow=grow, seconds=seconds
+        )
+    if adaptive:
+        return Text(
+            "{grow}: a tolerance of {tolerance:g} {unit} is kept",
+            grow=grow,
+            tolerance=integrator.tolerance,
+            unit=scene.view.unit,
+        )
+    return Text("{grow}: a shorter time step makes them smaller", grow=grow)
 
 
 def _typical_length(scene: Scene) -> float:

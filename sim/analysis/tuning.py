@@ -25,6 +25,7 @@ from ..scene.types import Scene, is_loaded
 from ..scene.validate import validate
 from ..solve.registry import METHODS
 from ..solve.stability_limits import period_doubling_limit, undamped_step
+from ..text import Text
 from .decay import TENTH, Decay
 from .equilibrium import loaded_equilibrium
 from .vibrations import MAX_MASSES, Vibrations, free_vibrations
@@ -335,12 +336,15 @@ def at_rest(scene: Scene, notes: list[str]) -> tuple[Scene, float | None, int | 
             down = None
             try:
                 pose, _ = loaded_equilibrium(_weightless(scene))
-                what = "gravity" if any(scene.gravity) else "its loads"
-                notes.append(f"the vibrations are those of the body without {what}")
+                notes.append(
+                    Text("the vibrations are those of the body without gravity")
+                    if any(scene.gravity)
+                    else Text("the vibrations are those of the body without its loads")
+                )
             except InputError:
                 pose = None
     if pose is None:
-        notes.append("the vibrations are those about the start")
+        notes.append(Text("the vibrations are those about the start"))
         return scene, None, None
     resting = msgspec.structs.replace(scene, pose=pose)
     if down is None:
@@ -371,13 +375,15 @@ def _weightless(scene: Scene) -> Scene:
 
 def _of(error: InputError) -> str:
     """Return the message of an error without the name of its source."""
-    return str(error).partition(": ")[2] or str(error)
+    said = str(error)
+    inner = said.parts.get("error") if isinstance(said, Text) else None
+    return inner if isinstance(inner, str) else said
 
 
 def _slowest(scene: Scene, notes: list[str]) -> tuple[Vibration | None, Vibration | None]:
     """Find the slowest vibration and the slowest elastic one."""
     if len(scene.masses) > MAX_MASSES:
-        notes.append(f"the slowest vibrations are found for at most {MAX_MASSES} masses")
+        notes.append(Text("the slowest vibrations are found for at most {most} masses", most=MAX_MASSES))
         return None, None
     dampers = Dampers(scene)
     try:

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ..engine.tables import Floats, Indices
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..scene.types import Scene
+from ..text import Text
 from .equilibrium import StaticModel
 
 if TYPE_CHECKING:
@@ -20,9 +21,12 @@ if TYPE_CHECKING:
 
 MAX_MASSES = 1000
 """Largest number of masses for vibrations, which are computed with full matrices."""
-_NOT_HELD = (
-    "vibrations: the springs do not hold the body where it starts, so it does not vibrate there; "
-    "sim.equilibrium finds where they do"
+_NOT_HELD = of_field(
+    "vibrations",
+    Text(
+        "the springs do not hold the body where it starts, so it does not vibrate there; sim.equilibrium "
+        "finds where they do"
+    ),
 )
 # Unless noted, doubling or halving one of these numbers fails no test.
 _BALANCED = 1e-6
@@ -121,9 +125,19 @@ def _checked(scene: Scene, count: int) -> StaticModel:
     body = StaticModel(scene, balanced=False)
     freedoms = _freedoms(body)[1].size
     if not 1 <= count <= freedoms:
-        raise InputError(f"vibrations: {count} is not in the range 1..{freedoms}")
+        raise InputError(
+            of_field(
+                "vibrations",
+                Text("{count} is not in the range 1..{freedoms}", count=count, freedoms=freedoms),
+            )
+        )
     if body.tables.masses > MAX_MASSES:
-        raise InputError(f"vibrations: {body.tables.masses} masses are more than {MAX_MASSES}")
+        raise InputError(
+            of_field(
+                "vibrations",
+                Text("{count} masses are more than {most}", count=body.tables.masses, most=MAX_MASSES),
+            )
+        )
     return body
 
 

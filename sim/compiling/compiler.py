@@ -43,6 +43,7 @@ from ..solve.linear.implicit import factorise_matrix, solve_matrix
 from ..solve.registry import AUTO_METHODS, METHODS
 from ..solve.steps.auto import next_turn
 from ..solve.steps.fallback import run_fallback
+from ..text import Text
 
 _FLOAT, _INT = types.float64, types.int64
 
@@ -122,22 +123,22 @@ def _entry_points() -> dict[str, EntryPoint]:
         return label, kernel, INDIRECT_CALLS[kernel.py_func.__name__].args
 
     points = [
-        by_address("the choice among forces", accelerations),
-        ("the choice of methods", next_turn, (problem, _FLOAT, _FLOAT, _INT)),
-        by_address("matrices", factorise_matrix),
-        by_address("linear systems", solve_matrix),
-        by_address("damping in linear systems", add_damping_product),
-        ("the fallback step", run_fallback, (problem, drive, *[_FLOAT] * 3)),
+        by_address(Text("the choice among forces"), accelerations),
+        (Text("the choice of methods"), next_turn, (problem, _FLOAT, _FLOAT, _INT)),
+        by_address(Text("matrices"), factorise_matrix),
+        by_address(Text("linear systems"), solve_matrix),
+        by_address(Text("damping in linear systems"), add_damping_product),
+        (Text("the fallback step"), run_fallback, (problem, drive, *[_FLOAT] * 3)),
         *((method.label, method.kernel, run) for method in methods if method.kernel is not None),
-        by_address("the work done in a step", accumulate_work),
-        ("energies", energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
-        by_address("steps with contact", no_tunnelling),
-        ("forces that yield", yielding_accelerations, INDIRECT_CALLS["accelerations"].args),
-        by_address("limits of springs", event_fraction),
-        by_address("where forces have kinks", kink_fraction),
-        by_address("where friction begins to slide", slip_fraction),
-        by_address("friction that holds", update_friction_history),
-        by_address("yielding and breaking", commit_plasticity),
+        by_address(Text("the work done in a step"), accumulate_work),
+        (Text("energies"), energies, (Body.numba_type, State.numba_type, *[FLOATS] * 4)),
+        by_address(Text("steps with contact"), no_tunnelling),
+        (Text("forces that yield"), yielding_accelerations, INDIRECT_CALLS["accelerations"].args),
+        by_address(Text("limits of springs"), event_fraction),
+        by_address(Text("where forces have kinks"), kink_fraction),
+        by_address(Text("where friction begins to slide"), slip_fraction),
+        by_address(Text("friction that holds"), update_friction_history),
+        by_address(Text("yielding and breaking"), commit_plasticity),
     ]
     parts = [EntryPoint(p.name, p.label, p.kernel, p.signature.args, p.number) for p in PARTS]
     found = {point.name: point for point in parts}

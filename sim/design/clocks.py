@@ -7,6 +7,8 @@ import math
 import re
 from collections.abc import Iterable
 
+from ..text import Text
+
 SECONDS = {
     **dict.fromkeys(("s", "sec", "secs", "sek", "second", "seconds", "sekunde", "sekunden"), 1.0),
     **dict.fromkeys(("seconde", "secondes", "segundo", "segundos", "secondi", "с", "сек", "секунды"), 1.0),
@@ -131,13 +133,15 @@ def _time_of_day(cell: str) -> tuple[float, float] | None:
         seconds = 60.0 * int(match["m"]) + float(f"{match['s']}.{match['part']}")
         return seconds, seconds
     if _HALF_TOLD.fullmatch(cell):
-        raise ValueError(f"{cell} may be minutes or hours; write it as h:mm:ss")
+        raise ValueError(Text("{cell} may be minutes or hours; write it as h:mm:ss", cell=cell))
     match = _OF_DAY.fullmatch(cell)
     if match is None:
         return None
     part = match["part"] or "0"
     if match["sign"] == ":" and len(part) != 3:
-        raise ValueError(f"{cell} may end in parts of a second or in pictures; write it as h:mm:ss.ff")
+        raise ValueError(
+            Text("{cell} may end in parts of a second or in pictures; write it as h:mm:ss.ff", cell=cell)
+        )
     hours = int(match["h"])
     if match["half"]:
         hours = hours % 12 + (12 if match["half"][0] in "pP" else 0)
@@ -150,7 +154,7 @@ def _time_of_day(cell: str) -> tuple[float, float] | None:
         return seconds, seconds
     days = _days_of(match["date"])
     if days is None:
-        raise ValueError(f"{cell}: there is no such day")
+        raise ValueError(Text("{cell}: there is no such day", cell=cell))
     return days[0] * DAY + seconds, days[1] * DAY + seconds
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ..text import Text, listed, number, with_unit
 from .combinations import Combination, candidates
 from .parameters import Parameter
 from .units import within_half_a_turn
@@ -58,17 +59,16 @@ class Estimate:
     @property
     def text(self) -> str:
         """The value for people, as in "998 ± 3 px/s² (2.495 ± 0.007 m/s²)"."""
-        return f"{self.alone} ({self.also})" if self.also else self.alone
+        return Text("{value} ({also})", value=self.alone, also=self.also) if self.also else self.alone
 
     @property
     def alone(self) -> str:
         """The value in the scene's unit alone."""
-        unit = f" {self.unit}" if self.unit else ""
         if not self.known:
             if math.isinf(self.high) and (self.low == 0.0 or math.isinf(self.low)):
-                return f"{self.value:.3g}{unit} or any other"
+                return Text("{value} or any other", value=with_unit(number(self.value, ".3g"), self.unit))
             return _range(self.low, self.high, self.unit, self.low == 0.0)
-        return f"{plus_minus(self.value, self.low, self.high)}{unit}"
+        return with_unit(plus_minus(self.value, self.low, self.high), self.unit)
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,8 +227,12 @@ class Identifiability:
     def _alone(self, i: int) -> str:
         p, (low, high) = self._parameters[i], self._ends[i]
         if math.isinf(high) and (low == 0.0 if p.logarithmic else math.isinf(low)):
-            return f"The data do not tell {p.name}: whatever it is, the fit is as good."
-        return f"The data hardly tell {p.name}: it is {_range(low, high, p.unit, p.logarithmic)}."
+            return Text("The data do not tell {name}: whatever it is, the fit is as good.", name=p.name)
+        return Text(
+            "The data hardly tell {name}: it is {range}.",
+            name=p.name,
+            range=_range(low, high, p.unit, p.logarithmic),
+        )
 
     # --------------------------------------------------------------------- unknowns that belong together
     def _together(self, which: list[int]) -> list[list[int]]:
@@ -313,14 +317,26 @@ class Identifiability:
         return found
 
     def _apart(self, group: _Group) -> str:
-        names = _listed([self._parameters[i].name for i in group.which])
+        names = listed([self._parameters[i].name for i in group.which])
         known = []
         for each in group.known:
             value = plus_minus(*each.interval(self._u, self._spread, self._wide))
-            known.append(f"{each.text} = {value} {each.unit}".rstrip())
-        near = ", and that near these values only" if group.is_near else ""
-        verb = "are" if len(known) > 1 else "is"
-        return f"The data cannot tell {names} apart: of them only {_listed(known)} {verb} known{near}."
+            known.append(Text("{name} = {value}", name=each.text, value=with_unit(value, each.unit)))
+        if len(known) > 1:
+            said = Text(
+                "The data cannot tell {names} apart: of them only {known} are known",
+                names=names,
+                known=listed(known),
+            )
+        else:
+            said = Text(
+                "The data cannot tell {names} apart: of them only {known} is known",
+                names=names,
+                known=known[0],
+            )
+        if group.is_near:
+            return Text("{error}, and that near these values only.", error=said)
+        return Text("{error}.", error=said)
 
 
 @dataclass(frozen=True)
@@ -341,12 +357,11 @@ class _Group:
 def _range(low: float, high: float, unit: str, positive: bool) -> str:
     """Return a range in words, as in "at most 3 kg"."""
     if math.isinf(high):
-        text = f"at least {low:.3g}"
-    elif low == 0.0 if positive else math.isinf(low):
-        text = f"at most {high:.3g}"
-    else:
-        text = f"between {low:.3g} and {high:.3g}"
-    return f"{text} {unit}".rstrip()
+        return Text("at least {value}", value=with_unit(number(low, ".3g"), unit))
+    most = with_unit(number(high, ".3g"), unit)
+    if low == 0.0 if positive else math.isinf(low):
+        return Text("at most {value}", value=most)
+    return Text("between {low:.3g} and {high}", low=low, high=most)
 
 
 def _reduced(rows: Floats, wanted: Collection[int]) -> tuple[Floats, list[int]]:
@@ -374,8 +389,11 @@ def at_ends(
 ) -> list[str]:
     """Return sentences on known numbers of a scene that have reached an end of their range, low..high."""
     return [
-        f"{p.name} has run to {p.value(value):.3g} {p.unit}".rstrip()
-        + ", the end of the range in which it is sought."
+        Text(
+            "{name} has run to {value}, the end of the range in which it is sought.",
+            name=p.name,
+            value=with_unit(number(p.value(value), ".3g"), p.unit),
+        )
         for p, value, least, most, is_known in zip(parameters, u, low, high, known, strict=True)
         if p.write is not None and is_known and (value <= least + 1e-6 or value >= most - 1e-6)
     ]
@@ -388,15 +406,16 @@ def autocorrelated(series: Sequence[Series]) -> list[str]:
         count = int((~np.isnan(each.measured)).sum())
         if each.effective < 0.5 * count:
             found.append(
-                f"What is left of {each.column} ({each.file}) is no mere noise: its {count} numbers count as "
-                f"{max(1, round(each.effective))}, and the intervals are as much wider. The scene may lack "
-                "something."
+                Text(
+                    "What is left of {column} ({file}) is no mere noise: its {count} numbers count as "
+                    "{effective}, and the intervals are as much wider. The scene may lack something.",
+                    column=each.column,
+                    file=each.file,
+                    count=count,
+                    effective=max(1, round(each.effective)),
+                )
             )
     return found
-
-
-def _listed(names: Sequence[str]) -> str:
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def plus_minus(value: float, low: float, high: float) -> str:
@@ -404,10 +423,11 @@ def plus_minus(value: float, low: float, high: float) -> str:
     these are not symmetric."""
     by = 0.5 * (high - low)
     if not (math.isfinite(by) and by > 0.0):
-        return f"{value:.4g}"
+        return number(value, ".4g")
     if abs(high - value - by) > 0.1 * by:
-        return f"{value:.3g} ({low:.3g} to {high:.3g})"
+        return Text("{value:.3g} ({low:.3g} to {high:.3g})", value=value, low=low, high=high)
     digits = 1 - math.floor(math.log10(by))
     if abs(value) < 1e6 and digits <= 6:
-        return f"{value:.{max(digits, 0)}f} ± {by:.{max(digits, 0)}f}"
-    return f"{value:.6g} ± {by:.2g}"
+        form = f".{max(digits, 0)}f"
+        return Text("{value} ± {by}", value=number(value, form), by=number(by, form))
+    return Text("{value:.6g} ± {by:.2g}", value=value, by=by)

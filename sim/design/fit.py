@@ -23,9 +23,10 @@ from typing import Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError
+from ..errors import InputError, of_field
 from ..scene.types import Scene
 from ..scene.validate import validate
+from ..text import Text
 from .estimates import UNKNOWN, Estimate, Identifiability, Series, at_ends, autocorrelated
 from .measurements import Measurement, read_measurements
 from .residuals import Problem
@@ -94,7 +95,7 @@ class Fit:
             InputError: n is out of range.
         """
         if not 0 <= n <= 1000:
-            raise InputError(f"draws: {n} is not in the range 0..1000")
+            raise InputError(Text("{where}: {n} is not in the range 0..1000", where="draws", n=n))
         random = np.random.default_rng(seed)
         scatter = random.standard_normal((n, self._spread.shape[0])) @ self._spread
         return [self._draw(by) for by in scatter]
@@ -138,7 +139,7 @@ def fit(
     for each in every:
         tables += [each] if isinstance(each, Measurement) else read_measurements(each)
     if not tables:
-        raise InputError("fit: name at least one file of what was measured")
+        raise InputError(Text("{where}: name at least one file of what was measured", where="fit"))
     problem = Problem(scene, tables, list(vary), match, scale)
     return _Search(problem, progress).found()
 
@@ -173,16 +174,20 @@ class _Search:
         first = np.clip(problem.first(), self._low, self._high)
         for t, run in enumerate(problem.fitted(first)):
             if run is None:
-                formulas = any(q.formula for q in problem.tables[t].quantities)
-                what = "runs away, or a formula has no value," if formulas else "runs away, as it is,"
-                raise InputError(f"fit: the scene {what} within the time that was measured")
+                if any(q.formula for q in problem.tables[t].quantities):
+                    why = Text(
+                        "the scene runs away, or a formula has no value, within the time that was measured"
+                    )
+                else:
+                    why = Text("the scene runs away, as it is, within the time that was measured")
+                raise InputError(of_field("fit", why))
             # A column that hardly changes must not outweigh all others.
             off = np.sqrt(np.nanmean((problem.tables[t].measured - run) ** 2, axis=1))
             self._noise[t] = np.maximum(self._noise[t], _FAR * off)
         best, u = np.inf, first
         for number, start in enumerate(self._starts(first), 1):
             for part in _WINDOWS:
-                self._progress(f"start {number}, {part:.0%} of the rows")
+                self._progress(Text("start {number}, {part:.0%} of the rows", number=number, part=part))
                 start = self._down(start, part)
             cost = float((problem.residuals(start, self._noise) ** 2).sum())
             if cost < best * (1.0 - 1e-9):
@@ -191,10 +196,10 @@ class _Search:
                 break
         several = sum(len(table.matches) for table in problem.tables) > 1
         for _ in range(2 if several else 1):
-            self._progress("noise of each column")
+            self._progress(Text("noise of each column"))
             self._noise = self._left_noise(u)
             u = self._down(u, 1.0) if several else u
-        self._progress("what the data tell")
+        self._progress(Text("what the data tell"))
         return self._summed_up(u, first)
 
     def _starts(self, first: Floats) -> Iterator[Floats]:
@@ -213,7 +218,7 @@ class _Search:
                 _ELSEWHERE if p.logarithmic else 0.3 for p in self._problem.parameters if p.spread
             ]
             every.append(np.clip(u, self._low, self._high))
-        self._progress("where to begin")
+        self._progress(Text("where to begin"))
         costs = [float((self._problem.residuals(u, self._noise, _WINDOWS[0]) ** 2).sum()) for u in every]
         yield from (every[i] for i in np.argsort(costs)[: _TRIED - 1])
 

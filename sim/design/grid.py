@@ -9,6 +9,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from ..errors import InputError
+from ..text import Text
 from .cells import decimal_signs, is_gap, is_number, known_signs, printable
 from .clocks import is_clock, is_date, is_time_of_day, seconds_of, unit_in_name
 from .units import is_unit
@@ -96,15 +97,25 @@ def read_grid(data: bytes, name: str) -> Grid:
     head, body = _parted(rows, name)
     width = max(len(row) for _, row in body)
     if width > MAX_COLUMNS:
-        raise InputError(f"{name}: it has {width} columns, more than {MAX_COLUMNS}")
+        raise InputError(
+            Text("{name}: it has {width} columns, more than {most}", name=name, width=width, most=MAX_COLUMNS)
+        )
     if len(body) > MAX_ROWS:
-        raise InputError(f"{name}: it has {len(body)} rows, more than {MAX_ROWS}")
+        raise InputError(
+            Text("{name}: it has {count} rows, more than {most}", name=name, count=len(body), most=MAX_ROWS)
+        )
     headings, named = _headings(head, width)
     for line, row in body:
         if named and any(row[named:]):
             raise InputError(
-                f"{name}, line {line}: it has {len(row)} cells below {named} names; where a comma stands "
-                "between cells, the decimal sign is a point"
+                Text(
+                    "{name}, line {line}: it has {count} cells below {named} names; where a comma "
+                    "stands between cells, the decimal sign is a point",
+                    name=name,
+                    line=line,
+                    count=len(row),
+                    named=named,
+                )
             )
     filled = [(line, row + [""] * (width - len(row))) for line, row in body]
     return Grid(headings, filled, _decimal(filled, name))
@@ -120,7 +131,7 @@ def _decoded(data: bytes, name: str) -> str:
             continue
         if "\0" not in text:
             return text
-    raise InputError(f"{name}: it is not a text")
+    raise InputError(Text("{name}: it is not a text", name=name))
 
 
 def _lines(text: str) -> list[tuple[int, str]]:
@@ -153,7 +164,9 @@ def _split(lines: list[tuple[int, str]], told: str, name: str) -> list[Row]:
         if count[0] and count > most:
             best, most = delimiter, count
     if not best:
-        raise InputError(f"{name}: no line of it has a time and a number, with the same sign between cells")
+        raise InputError(
+            Text("{name}: no line of it has a time and a number, with the same sign between cells", name=name)
+        )
     return _rows(lines, best, name)
 
 
@@ -186,7 +199,14 @@ def _is_comment(line: str, delimiter: str) -> bool:
 
 def _cut(line: str, delimiter: str, number: int, name: str) -> list[str]:
     if len(line) > _LONGEST:
-        raise InputError(f"{name}, line {number}: it is longer than {_LONGEST} letters")
+        raise InputError(
+            Text(
+                "{name}, line {number}: it is longer than {most} letters",
+                name=name,
+                number=number,
+                most=_LONGEST,
+            )
+        )
     if delimiter == " ":
         return line.split()
     # One line at a time: an unclosed quotation mark must not swallow the lines after it.
@@ -225,13 +245,22 @@ def _parted(rows: list[Row], name: str) -> tuple[list[Row], list[Row]]:
             continue
         formula = next(filter(_FORMULA.match, row), None)
         if formula is not None:
-            raise InputError(f"{name}, line {line}: {printable(formula)!r} is a formula, and not a number")
+            raise InputError(
+                Text(
+                    "{name}, line {line}: {formula!r} is a formula, and not a number",
+                    name=name,
+                    line=line,
+                    formula=printable(formula),
+                )
+            )
         below_names = i > 0 and _are_names(rows[i - 1][1], width)
         if any(map(_is_value, row)) and (below_names or _is_value(row[0])) and not is_clock(row[0]):
             at, wrong = next(
                 (at, cell) for at, later in rows[i:first] for cell in later if not _is_value_or_gap(cell)
             )
-            raise InputError(f"{name}, line {at}: {printable(wrong)!r} is not a number")
+            raise InputError(
+                Text("{name}, line {at}: {cell!r} is not a number", name=name, at=at, cell=printable(wrong))
+            )
     return rows[:first], [(line, row) for line, row in rows[first:] if not all(map(is_gap, row))]
 
 
@@ -255,7 +284,14 @@ def _decimal(rows: list[Row], name: str) -> str:
     if len(certain) > 1:
         (line, cell), (other, earlier) = sorted(certain.values(), reverse=True)
         raise InputError(
-            f"{name}, line {line}: {cell!r} has another decimal sign than {earlier!r} in line {other}"
+            Text(
+                "{name}, line {line}: {cell!r} has another decimal sign than {earlier!r} in line {other}",
+                name=name,
+                line=line,
+                cell=cell,
+                earlier=earlier,
+                other=other,
+            )
         )
     if certain:
         return next(iter(certain))
@@ -263,8 +299,14 @@ def _decimal(rows: list[Row], name: str) -> str:
         line, cell = unclear
         plain = cell.replace(",", "")
         raise InputError(
-            f"{name}, line {line}: {cell!r} may be {plain} or {cell.replace(',', '.')}; write it in one of "
-            "these ways"
+            Text(
+                "{name}, line {line}: {cell!r} may be {plain} or {other}; write it in one of these ways",
+                name=name,
+                line=line,
+                cell=cell,
+                plain=plain,
+                other=cell.replace(",", "."),
+            )
         )
     return "."
 

@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from ..analysis.equilibrium import NEUTRAL, NEUTRAL_FREE, StaticModel
 from ..edit.build import wrapped_degrees
 from ..edit.edit import Selection, of_parts
-from ..errors import InputError, SceneError
+from ..errors import InputError, SceneError, of_field
 from ..forces.touch.walls import WallRow, place_along
 from ..motion.moment import Moment
 from ..scene.parts import AngularSpring
 from ..scene.types import Pose, Scene
 from ..scene.validate import validate
+from ..text import Text
 from .statics import Bools, Floats, Indices, Statics, Touch, Vectors
 
 # Unless noted, doubling or halving one of these numbers fails no test.
@@ -44,6 +45,9 @@ _FINE = 1.01
 `test_a_mast_buckles_at_eulers_load_and_stands_with_the_stiffness_that_is_named` fails."""
 
 
+_KEEP_SHAPE = Text("keep shape")
+
+
 class DesignError(InputError):
     """The requested design is impossible. The message is one sentence that names the part.
 
@@ -59,9 +63,9 @@ class DesignError(InputError):
         sentence: str,
         motion: NDArray[np.float64] | None = None,
         stiffening: float | None = None,
-        of: str = "keep shape",
+        of: str = _KEEP_SHAPE,
     ) -> None:
-        super().__init__(f"{of}: {sentence}")
+        super().__init__(of_field(of, sentence))
         self.sentence, self.motion, self.stiffening = sentence, motion, stiffening
 
 
@@ -280,7 +284,9 @@ def _stiff_enough(
         low, high = high, 2.0 * high
         made = _standing(scene, statics, x, high)
     if made is None:
-        raise DesignError(f"it would buckle at mass {_most_moved(shape)}, however stiff it is", shape)
+        raise DesignError(
+            Text("it would buckle at mass {mass}, however stiff it is", mass=_most_moved(shape)), shape
+        )
     while high > _FINE * low:
         middle = math.sqrt(low * high)
         stands = _standing(scene, statics, x, middle)
@@ -288,7 +294,11 @@ def _stiff_enough(
     if allowed:
         return made
     raise DesignError(
-        f"it would buckle at mass {_most_moved(shape)}; with {high:.3g} times the stiffness it stands",
+        Text(
+            "it would buckle at mass {mass}; with {high:.3g} times the stiffness it stands",
+            mass=_most_moved(shape),
+            high=high,
+        ),
         shape,
         high,
     )
@@ -375,11 +385,16 @@ def _overloaded(statics: Statics, share: Floats, stiffening: float) -> DesignErr
     over = np.flatnonzero(share > 1.0)
     worst = int(over[np.argmax(share[over])])
     word, index = statics.name_of(worst)
-    rest = int(over.size) - 1
-    others = f", and {rest} other{'s' if rest > 1 else ''} up to as much" if rest else ""
-    return DesignError(
-        f"{word} {index} would need {share[worst]:.3g} times its stiffness{others}", stiffening=stiffening
-    )
+    rest, times = int(over.size) - 1, float(share[worst])
+    if word == "spring":
+        why = Text("spring {index} would need {times:.3g} times its stiffness", index=index, times=times)
+    else:
+        why = Text("joint {index} would need {times:.3g} times its stiffness", index=index, times=times)
+    if rest == 1:
+        why = Text("{error}, and 1 other up to as much", error=why)
+    elif rest:
+        why = Text("{error}, and {rest} others up to as much", error=why, rest=rest)
+    return DesignError(why, stiffening=stiffening)
 
 
 def _unheld(statics: Statics, are_some: bool) -> DesignError:
@@ -387,18 +402,28 @@ def _unheld(statics: Statics, are_some: bool) -> DesignError:
     motion = statics.mechanism()
     first = int(np.argmax(np.abs(motion)))
     if are_some:
-        return DesignError(f"what is selected cannot balance mass {first}: select more springs and joints")
+        return DesignError(
+            Text("what is selected cannot balance mass {mass}: select more springs and joints", mass=first)
+        )
     part = statics.connected(first)
     held = part & ~statics.free
     shape = _relative(np.column_stack((motion.real, motion.imag)))
     if not held.any():
-        return DesignError(f"nothing holds mass {first}: hold a mass that is connected to it", shape)
+        return DesignError(
+            Text("nothing holds mass {mass}: hold a mass that is connected to it", mass=first), shape
+        )
     about = int(np.flatnonzero(held)[0])
     arms = (statics.at - statics.at[about])[part]
     turn = (arms.conj() @ motion[part]) / max(float((abs(arms) ** 2).sum()), 1e-300)
     rest = np.abs(motion[part] - 1j * turn.imag * arms).max()
     if held.sum() == 1 and rest <= _ALIKE * np.abs(motion).max():
         return DesignError(
-            f"nothing keeps it from turning about mass {about}: hold a second mass or add a joint", shape
+            Text(
+                "nothing keeps it from turning about mass {mass}: hold a second mass or add a joint",
+                mass=about,
+            ),
+            shape,
         )
-    return DesignError(f"nothing keeps mass {first} in its place: add a spring or a joint there", shape)
+    return DesignError(
+        Text("nothing keeps mass {mass} in its place: add a spring or a joint there", mass=first), shape
+    )

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from ..errors import InputError
 from ..motion.quantities import COUNTED, Quantity, quantity
 from ..scene.types import Scene
-from .measurements import Column, Measurement
+from ..text import Text
+from .measurements import Column, Measurement, of_column
 from .units import Unit, known_scale, unit_of
 
 _EXPRESSION = re.compile(
@@ -85,25 +86,28 @@ def matched(
         if text.strip():
             found.append(_match(measurement, column, text, scene))
     if not found:
-        known = ", ".join(column.name for column in measurement.columns) or "none"
+        known = ", ".join(column.name for column in measurement.columns) or Text("none")
         raise InputError(
-            f"{measurement.name}: say which quantity each column is; of its columns ({known}) none tells it "
-            "by its name"
+            Text(
+                "{measurement}: say which quantity each column is; of its columns ({known}) "
+                "none tells it by its name",
+                measurement=measurement.name,
+                known=known,
+            )
         )
     return tuple(found)
 
 
 def _match(measurement: Measurement, column: Column, text: str, scene: Scene) -> Match:
     parts = _EXPRESSION.fullmatch(text)
-    where = f"{measurement.name}, column {column.name!r}"
     offset, sign, name = parts.groups() if parts else ("", "", text)
     try:
         found = quantity(name, scene)
         if found.kind.of == "mass" and found.index in {anchor.mass for anchor in scene.anchors}:
-            raise InputError(f"mass {found.index} is held, so that it tells nothing")
+            raise InputError(Text("mass {mass} is held, so that it tells nothing", mass=found.index))
         unit = unit_of(column.unit, found.kind.unit, scene.view.unit)
     except InputError as error:
-        raise InputError(f"{where}: {error}") from None
+        raise InputError(of_column(measurement.name, column.name, str(error))) from None
     return Match(
         column,
         found,

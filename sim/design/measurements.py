@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InputError
+from ..text import Text
 from .cells import is_gap, is_number, printable, value_of
 from .clocks import (
     begins_with_start,
@@ -84,7 +85,19 @@ class Measurement:
             if name in (column.name, column.label):
                 return column
         known = ", ".join(column.name for column in self.columns)
-        raise InputError(f"{self.name}: there is no column {name!r}; there are {known}")
+        raise InputError(
+            Text(
+                "{file}: there is no column {name!r}; there are {known}",
+                file=self.name,
+                name=name,
+                known=known,
+            )
+        )
+
+
+def of_column(file: str, column: str, sentence: str) -> Text:
+    """Return a sentence with the column of a file that it is about before it."""
+    return Text("{file}, column {column!r}: {error}", file=file, column=column, error=sentence)
 
 
 def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
@@ -98,7 +111,9 @@ def read_measurements(path: str | Path) -> tuple[Measurement, ...]:
         with path.open("rb") as file:
             data = file.read(MAX_BYTES + 1)
     except OSError as error:
-        raise InputError(f"{path}: it cannot be read ({error.strerror or error})") from None
+        raise InputError(
+            Text("{path}: it cannot be read ({reason})", path=str(path), reason=error.strerror or str(error))
+        ) from None
     return parse_measurements(data, path.name)
 
 
@@ -122,7 +137,7 @@ def parse_measurements(data: bytes, name: str) -> tuple[Measurement, ...]:
     """
     name = printable(name)
     if len(data) > MAX_BYTES:
-        raise InputError(f"{name}: it is larger than {MAX_BYTES // 1_000_000} MB")
+        raise InputError(Text("{name}: it is larger than {most} MB", name=name, most=MAX_BYTES // 1_000_000))
     return tuple(_Table(read_grid(data, name), name).measurements())
 
 
@@ -180,24 +195,39 @@ class _Table:
             try:
                 found[filled] = times_of_day([cells[k] for k in filled])
             except ValueError as error:
-                raise InputError(f"{self._name}, column {self._label(i)!r}: {error}") from None
+                raise InputError(of_column(self._name, self._label(i), str(error))) from None
             self._times.add(i)
         elif any(is_number(cells[k]) for k in filled):
             found[filled] = [value_of(cells[k], self._decimal) for k in filled]
         elif filled:
-            kind = "a date without a time" if is_date(cells[filled[0]]) else "no number"
-            self._remarks.append(f"Column {self._label(i)!r} has {kind} and is left out.")
+            label = self._label(i)
+            if is_date(cells[filled[0]]):
+                said = Text("Column {column!r} has a date without a time and is left out.", column=label)
+            else:
+                said = Text("Column {column!r} has no number and is left out.", column=label)
+            self._remarks.append(said)
             return found
         wrong = next((k for k in filled if not math.isfinite(found[k])), None)
         if wrong is not None:
-            raise InputError(f"{self._place(wrong, i)}: {printable(cells[wrong])!r} is not a finite number")
+            raise InputError(
+                Text(
+                    "{place}: {cell!r} is not a finite number",
+                    place=self._place(wrong, i),
+                    cell=printable(cells[wrong]),
+                )
+            )
         return found
 
     def _label(self, i: int) -> str:
-        return self._headings[i].name or f"column {i + 1}"
+        return self._headings[i].name or Text("column {number}", number=i + 1)
 
     def _place(self, row: int, i: int) -> str:
-        return f"{self._name}, line {self._lines[row]}, column {self._label(i)!r}"
+        return Text(
+            "{file}, line {line}, column {column!r}",
+            file=self._name,
+            line=self._lines[row],
+            column=self._label(i),
+        )
 
     def _filled(self) -> list[int]:
         return [i for i, each in enumerate(self._values) if not np.isnan(each).all()]
@@ -222,7 +252,12 @@ class _Table:
         if not named and wrong is not None:
             unit = headings[wrong].unit
             raise InputError(
-                f"{self._name}: the time {headings[wrong].name!r} is in {unit!r}, and not in s, ms, min or h"
+                Text(
+                    "{file}: the time {column!r} is in {unit!r}, and not in s, ms, min or h",
+                    file=self._name,
+                    column=headings[wrong].name,
+                    unit=unit,
+                )
             )
         found = named or [i for i in filled if self._unit(i) is not None and i not in self._times]
         found = found or sorted(self._times)
@@ -249,7 +284,11 @@ class _Table:
             if i not in self._left_out:
                 self._left_out.add(i)
                 self._remarks.append(
-                    f"The time is {self._label(time)!r}; the other clock {self._label(i)!r} is left out."
+                    Text(
+                        "The time is {time!r}; the other clock {column!r} is left out.",
+                        time=self._label(time),
+                        column=self._label(i),
+                    )
                 )
 
     def _first(self, filled: list[int]) -> int:
@@ -258,13 +297,25 @@ class _Table:
         heading = self._headings[i]
         name = heading.name.lower()
         if heading.unit or name in (*_NO_TIMES, *_FRAMES):
-            unit = f" in {heading.unit}" if heading.unit else ""
             raise InputError(
-                f"{self._name}: no column is called the time, and the first one is {heading.name!r}{unit}; "
-                "call one t (s)"
+                Text(
+                    "{file}: no column is called the time, and the first one is {column!r} in {unit}; "
+                    "call one t (s)",
+                    file=self._name,
+                    column=heading.name,
+                    unit=heading.unit,
+                )
+                if heading.unit
+                else Text(
+                    "{file}: no column is called the time, and the first one is {column!r}; call one t (s)",
+                    file=self._name,
+                    column=heading.name,
+                )
             )
         if heading.name:
-            self._remarks.append(f"No column is called the time: {heading.name!r} is taken for it, in s.")
+            self._remarks.append(
+                Text("No column is called the time: {column!r} is taken for it, in s.", column=heading.name)
+            )
         return i
 
     def _unit(self, i: int) -> float | None:
@@ -308,8 +359,12 @@ class _Table:
                 )
                 if unit is None:
                     raise InputError(
-                        f"{self._name}: {self._label(i)!r} has no unit, and {self._label(other)!r} goes at "
-                        "another rate"
+                        Text(
+                            "{file}: {column!r} has no unit, and {other!r} goes at another rate",
+                            file=self._name,
+                            column=self._label(i),
+                            other=self._label(other),
+                        )
                     )
                 return unit
         return 1.0
@@ -340,8 +395,11 @@ class _Table:
                 ]
         names = " and ".join(repr(self._label(c)) for c in clocks)
         raise InputError(
-            f"{self._name}: there are several clocks, {names}, and it is not told which column goes with "
-            "which"
+            Text(
+                "{file}: there are several clocks, {names}, and it is not told which column goes with which",
+                file=self._name,
+                names=names,
+            )
         )
 
     def _together(self, parts: list[tuple[int, list[int]]], run: str) -> Measurement:
@@ -371,16 +429,27 @@ class _Table:
         there = self._any(others)
         lost = np.flatnonzero(there & np.isnan(seconds))
         if lost.size:
-            raise InputError(f"{self._name}, line {self._lines[lost[0]]}: it has numbers, but no time")
+            raise InputError(
+                Text(
+                    "{file}, line {line}: it has numbers, but no time",
+                    file=self._name,
+                    line=self._lines[lost[0]],
+                )
+            )
         full = np.flatnonzero(there)
         if not full.size:
-            raise InputError(f"{name}: no line of it has a time and a number")
+            raise InputError(Text("{name}: no line of it has a time and a number", name=name))
         time = seconds[full]
         back = np.flatnonzero(np.diff(time) <= 0.0)
         if back.size:
             place = self._place(int(full[back[0] + 1]), clock)
             raise InputError(
-                f"{place}: the time {time[back[0] + 1]:.12g} s does not come after {time[back[0]]:.12g} s"
+                Text(
+                    "{place}: the time {time:.12g} s does not come after {earlier:.12g} s",
+                    place=place,
+                    time=time[back[0] + 1],
+                    earlier=time[back[0]],
+                )
             )
         labels = self._labels(clock, others, run)
         columns = tuple(

@@ -6,15 +6,17 @@ import math
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import cast
 
 import msgspec
 
 from ..edit.edit import of_parts
 from ..edit.values import NUMBERS, set_number
-from ..errors import InputError, SettingError, did_you_mean
+from ..errors import InputError, Part, SettingError, did_you_mean, no_part_of_scene, of_field
 from ..motion.quantities import quantity
 from ..scene.types import Pose, Scene
 from ..settings import set_value, setting_of
+from ..text import Text
 
 _PART = re.compile(r"(mass|spring|joint)(\d{1,9})\.([a-z_]+(?:\.[a-z_]+)?)", re.ASCII)
 _KINDS = {"mass": "masses", "spring": "linear_springs", "joint": "angular_springs"}
@@ -86,11 +88,15 @@ def parameter(name: str, scene: Scene, duration: float) -> Parameter:
         setting = setting_of(scene, name)
     except SettingError as error:
         raise InputError(
-            f"vary: {error}; or a number of a part, such as mass1.mass or spring0.stiffness, or of its "
-            "start, such as mass1.vx"
+            Text(
+                "{where}: {error}; or a number of a part, such as mass1.mass or "
+                "spring0.stiffness, or of its start, such as mass1.vx",
+                where="vary",
+                error=str(error),
+            )
         ) from None
     if setting.integer or name in _SOLVING:
-        raise InputError(f"vary: {name} cannot be fitted")
+        raise InputError(Text("{where}: {name} cannot be fitted", where="vary", name=name))
 
     def write(scene: Scene, value: float) -> Scene:
         return set_value(scene, name, value)
@@ -106,7 +112,7 @@ def _of_part(name: str, scene: Scene, duration: float, of: str, index: int, what
         found = quantity(name, scene)
         is_velocity, axis = _STARTS[what]
         if index in {anchor.mass for anchor in scene.anchors}:
-            raise InputError(f"vary: {name}: mass {index} is held")
+            raise InputError(Text("{where}: mass {index} is held", where=f"vary: {name}", index=index))
         start = start_of(scene)[is_velocity][index][axis]
         size = size_of(scene)
         scale = size / duration * math.tau if is_velocity else size
@@ -126,18 +132,31 @@ def _of_part(name: str, scene: Scene, duration: float, of: str, index: int, what
     if what not in numbers:
         also = ["x", "y", "vx", "vy"] if of == "mass" else []
         there = [*numbers, *also]
-        meant = did_you_mean(what, there)
-        raise InputError(f"vary: {name}: of a {of} there are {', '.join(there)}{meant}")
+        meant, known = did_you_mean(what, there), ", ".join(there)
+        raise InputError(
+            of_field(
+                f"vary: {name}",
+                Text("of a mass there are {known}{meant}", known=known, meant=meant)
+                if of == "mass"
+                else Text("of a spring there are {known}{meant}", known=known, meant=meant)
+                if of == "spring"
+                else Text("of a joint there are {known}{meant}", known=known, meant=meant),
+            )
+        )
     parts = getattr(scene, _KINDS[of])
     if index >= len(parts):
-        there = f"(0..{len(parts) - 1})" if parts else f"(the scene has no {of}s)"
-        raise InputError(f"vary: {name}: {of} {index} does not exist {there}")
+        raise InputError(of_field(f"vary: {name}", no_part_of_scene(cast(Part, of), index, len(parts))))
     number = numbers[what]
     value = number.of_part(
         of_parts(scene).masses[index] if of == "mass" else getattr(of_parts(scene), _KINDS[of])[index]
     )
     if value is None:
-        raise InputError(f"vary: {name}: {of} {index} has none")
+        has_none = (
+            Text("spring {index} has none", index=index)
+            if of == "spring"
+            else Text("joint {index} has none", index=index)
+        )
+        raise InputError(of_field(f"vary: {name}", has_none))
     unit = number.unit.replace("px", scene.view.unit)
     largest = max((number.of_part(part) or 0.0 for part in parts), default=0.0)
 

@@ -11,13 +11,14 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import InputError, SceneError, SettingError
+from ..errors import InputError, SceneError, SettingError, of_field
 from ..motion.quantities import Quantity
 from ..motion.simulation import Simulation
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS
 from ..solve.registry import METHODS
+from ..text import Text, number, with_unit
 from .circles import all_are_angles, other_radius, rods_to_anchors
 from .estimates import Estimate, plus_minus
 from .matching import Match, matched
@@ -63,13 +64,21 @@ class _Table:
         self.time = measurement.time - (measurement.time[0] if from_first else 0.0)
         if not from_first and (measurement.is_absolute or self.time[0] > _LATEST):
             raise InputError(
-                f"{measurement.name}: its clock begins at {measurement.time[0]:.12g} s, and the scene's "
-                "start is 0 s; vary start, and the first row is it"
+                Text(
+                    "{measurement}: its clock begins at {begins:.12g} s, and the scene's start is "
+                    "0 s; vary start, and the first row is it",
+                    measurement=measurement.name,
+                    begins=measurement.time[0],
+                )
             )
         if self.time[0] < 0.0:
             raise InputError(
-                f"{measurement.name}: the time begins at {self.time[0]:g} s, before the scene's start "
-                "at 0 s; vary start, and the first row is it"
+                Text(
+                    "{measurement}: the time begins at {begins:g} s, before the scene's start at 0 "
+                    "s; vary start, and the first row is it",
+                    measurement=measurement.name,
+                    begins=self.time[0],
+                )
             )
         self.measured = np.array([each.column.values for each in matches])  # (columns, rows)
         self.is_angle = np.array([each.quantity.kind.unit == "°" for each in matches])
@@ -130,26 +139,44 @@ class Problem:
         self.unknowns = self._unknowns(scale)
         if len(self.unknowns) > MAX_UNKNOWNS:
             raise InputError(
-                f"vary: {len(self.unknowns)} numbers are too many, {MAX_UNKNOWNS} is the most; start and "
-                "origin are several each"
+                Text(
+                    "{where}: {count} numbers are too many, {most} is the most; start and origin "
+                    "are several each",
+                    where="vary",
+                    count=len(self.unknowns),
+                    most=MAX_UNKNOWNS,
+                )
             )
         count = sum(int((~np.isnan(table.measured)).sum()) for table in self.tables)
         if count <= len(self.unknowns):
             name, sought = self.tables[0].measurement.name, len(self.unknowns)
-            raise InputError(f"{name}: {count} numbers are too few to tell {sought} unknown ones")
+            raise InputError(
+                Text(
+                    "{name}: {count} numbers are too few to tell {sought} unknown ones",
+                    name=name,
+                    count=count,
+                    sought=sought,
+                )
+            )
         self.parameters = [each.parameter for each in self.unknowns]
 
     def _refuse_length(self, scale: float | None, varied: bool) -> None:
         if scale is not None and not (math.isfinite(scale) and scale > 0.0):
-            raise InputError(f"scale: {scale:g} is not a positive number")
+            raise InputError(Text("{where}: {scale:g} is not a positive number", where="scale", scale=scale))
         for table in self.tables:
             for each in table.matches:
                 if each.scale is None and scale is None and not varied:
-                    length, where = self.scene.view.unit, f"{table.measurement.name}, column"
+                    length = self.scene.view.unit
                     raise InputError(
-                        f"{where} {each.column.name!r}: it is in {each.column.unit}, but the scene "
-                        f"in {length}; say how many {length} one {each.unit.length} is (scale), or vary "
-                        "length_scale"
+                        Text(
+                            "{file}, column {column!r}: it is in {unit}, but the scene in {length}; say how "
+                            "many {length} one {measured} is (scale), or vary length_scale",
+                            file=table.measurement.name,
+                            column=each.column.name,
+                            unit=each.column.unit,
+                            length=length,
+                            measured=each.unit.length,
+                        )
                     )
 
     def _unknowns(self, scale: float | None) -> list[_Unknown]:
@@ -159,7 +186,7 @@ class Problem:
         if "length_scale" in self.vary:
             lengths = [m for table in self.tables for m in table.matches if m.scale is None or m.unit.power]
             if not lengths:
-                raise InputError("vary: length_scale: no length was measured")
+                raise InputError(Text("{where}: no length was measured", where="vary: length_scale"))
             unit = f"{self.scene.view.unit}/{lengths[0].unit.length}"
             start = scale or self._guessed_scale()
             found.append(_Unknown(Parameter("length_scale", unit, start, start / 1e3, start * 1e3, True)))
@@ -197,7 +224,13 @@ class Problem:
                 )
                 found.append(_Unknown(made, t, axis))
         if not found:
-            raise InputError(f"vary: origin: {table.measurement.name} has no places of masses")
+            raise InputError(
+                Text(
+                    "{where}: {measurement} has no places of masses",
+                    where="vary: origin",
+                    measurement=table.measurement.name,
+                )
+            )
         return found
 
     def _starts(self, t: int, table: _Table, suffix: str) -> list[_Unknown]:
@@ -227,7 +260,13 @@ class Problem:
                 )
                 found.append(_Unknown(made, t, axis, mass, is_velocity))
         if not found:
-            raise InputError(f"vary: start: {table.measurement.name} has no places of free masses")
+            raise InputError(
+                Text(
+                    "{where}: {measurement} has no places of free masses",
+                    where="vary: start",
+                    measurement=table.measurement.name,
+                )
+            )
         return found
 
     # --------------------------------------------------------------------- the scene and its runs
@@ -287,14 +326,24 @@ class Problem:
                 moved = float(np.nanmax(row) - np.nanmin(row)) * self._size_of(match, length)
                 if match.quantity.kind.unit == "{unit}" and 0.0 < moved < _HARDLY * self.size:
                     found.append(
-                        f"{table.measurement.name}: {match.column.name} moves by {moved:.2g} {unit}, in a "
-                        f"body of {self.size:.3g} {unit}; is the scale right?"
+                        Text(
+                            "{file}: {column} moves by {moved:.2g} {unit}, in a body of {size:.3g} {unit}; "
+                            "is the scale right?",
+                            file=table.measurement.name,
+                            column=match.column.name,
+                            moved=moved,
+                            size=self.size,
+                            unit=unit,
+                        )
                     )
         for name in self.vary:
             if name in SETTINGS and SETTINGS[name].differs(self.scene):
                 found.append(
-                    f"{name} is that of parts which differ: it is the largest, and the others keep their "
-                    "ratio to it; a part alone is named as in spring0.stiffness."
+                    Text(
+                        "{name} is that of parts which differ: it is the largest, and the others keep their "
+                        "ratio to it; a part alone is named as in spring0.stiffness.",
+                        name=name,
+                    )
                 )
         return found
 
@@ -305,14 +354,25 @@ class Problem:
         if any(name.endswith("rest_length") or name == "length_scale" for name in self.vary):
             return []
         if sought and all(all_are_angles([q.kind.unit for q in table.quantities]) for table in self.tables):
-            lengths = ", ".join(
-                f"spring{s} of {self.scene.linear_springs[s].rest_length:.4g} {self.scene.view.unit}"
-                for _, s in rods_to_anchors(self.scene)
-            )
+            lengths: str = ""
+            for _, s in rods_to_anchors(self.scene):
+                length = Text(
+                    "{spring} of {length:.4g} {unit}",
+                    spring=f"spring{s}",
+                    length=self.scene.linear_springs[s].rest_length,
+                    unit=self.scene.view.unit,
+                )
+                lengths = Text("{one}, {other}", one=lengths, other=length) if lengths else length
             found.append(
-                "Angles tell gravity over length, and no length: this gravity belongs to "
-                + (lengths or "the scene's own lengths")
-                + "."
+                Text(
+                    "Angles tell gravity over length, and no length: this gravity belongs to {lengths}.",
+                    lengths=lengths,
+                )
+                if lengths
+                else Text(
+                    "Angles tell gravity over length, and no length: this gravity belongs to the scene's own "
+                    "lengths."
+                )
             )
         for t, (table, run) in enumerate(zip(self.tables, self.fitted(u), strict=True)):
             if run is None:
@@ -341,22 +401,40 @@ class Problem:
     def _other_length(self, table: _Table, mass: int, spring: int, measured: float, run: float) -> str:
         unit = self.scene.view.unit
         each = next(m for m in table.matches if m.quantity.name in (f"mass{mass}.x", f"mass{mass}.y"))
+        radius = with_unit(number(measured, ".4g"), unit)
         own = (
-            ""
+            radius
             if each.scale is not None
-            else f" ({measured / self.scale / each.unit.factor:.3g} {each.column.unit})"
+            else Text(
+                "{radius} ({measured:.3g} {unit})",
+                radius=radius,
+                measured=measured / self.scale / each.unit.factor,
+                unit=each.column.unit,
+            )
         )
-        stands = (
-            f" The gravity that is found stands for gravity over length: at {measured:.4g} {unit} it would "
-            f"be {measured / run:.3g} times as large."
-            if "gravity" in self.vary
-            else ""
+        other = Text(
+            "{file}: mass {mass} was measured on a circle with a radius of {measured}, and the scene's is "
+            "{run:.4g} {unit}.",
+            file=table.measurement.name,
+            mass=mass,
+            measured=own,
+            run=run,
+            unit=unit,
         )
-        return (
-            f"{table.measurement.name}: mass {mass} was measured on a circle with a radius of {measured:.4g} "
-            f"{unit}{own}, and the scene's is {run:.4g} {unit}.{stands} Vary spring{spring}.rest_length, "
-            f"too, or give it {measured:.4g} {unit} in the scene."
+        if "gravity" in self.vary:
+            stands = Text(
+                "The gravity that is found stands for gravity over length: at {radius} it would be "
+                "{times:.3g} times as large.",
+                radius=radius,
+                times=measured / run,
+            )
+            other = Text("{first} {then}", first=other, then=stands)
+        vary = Text(
+            "Vary {name}, too, or give it {radius} in the scene.",
+            name=f"spring{spring}.rest_length",
+            radius=radius,
         )
+        return Text("{first} {then}", first=other, then=vary)
 
     def in_units_of_tables(self, values: Sequence[Estimate], u: Floats) -> list[Estimate]:
         """Add to estimates their values in the measurements' unit of length, where that differs."""
@@ -373,7 +451,7 @@ class Problem:
             factor = scale**-power
             also = plus_minus(each.value * factor, each.low * factor, each.high * factor)
             unit = re.sub(rf"(?<!\w){re.escape(own)}(?!\w)", length, each.unit)
-            found.append(replace(each, also=f"{also} {unit}"))
+            found.append(replace(each, also=with_unit(also, unit)))
         return found
 
     def _size_of(self, match: Match, length: float) -> float:
@@ -463,10 +541,17 @@ def _power_of(unit: str, length: str) -> int:
 
 def _refuse_names(vary: list[str]) -> None:
     if not 1 <= len(vary) <= MAX_VARIED:
-        raise InputError(f"vary: name from 1 to {MAX_VARIED} numbers that are sought, not {len(vary)}")
+        raise InputError(
+            Text(
+                "{where}: name from 1 to {most} numbers that are sought, not {count}",
+                where="vary",
+                most=MAX_VARIED,
+                count=len(vary),
+            )
+        )
     for name in vary:
         if vary.count(name) > 1:
-            raise InputError(f"vary: {name} is named twice")
+            raise InputError(Text("{where}: {name} is named twice", where="vary", name=name))
 
 
 class _Runner:
@@ -493,10 +578,20 @@ class _Runner:
         steps = math.ceil(time[-1] / step - 1e-9)
         if steps > MAX_STEPS:
             late = time[0] > float(np.ptp(time))
-            raise InputError(
-                f"fit: {time[-1]:g} s in steps of {step:g} s are {steps} steps, more than {MAX_STEPS}"
-                + (f"; the first row is at {time[0]:g} s: vary start, and it is the start" if late else "")
+            why = Text(
+                "{seconds:g} s in steps of {step:g} s are {steps} steps, more than {most}",
+                seconds=time[-1],
+                step=step,
+                steps=steps,
+                most=MAX_STEPS,
             )
+            if late:
+                why = Text(
+                    "{error}; the first row is at {begins:g} s: vary start, and it is the start",
+                    error=why,
+                    begins=time[0],
+                )
+            raise InputError(of_field("fit", why))
         from scipy.interpolate import CubicSpline
 
         simulation = Simulation(msgspec.structs.replace(scene, integrator=integrator))

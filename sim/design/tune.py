@@ -20,15 +20,17 @@ from ..analysis.tuning import (
 )
 from ..edit.edit import Edit, counted, of_parts
 from ..engine.tables import Floats
-from ..errors import InputError, SettingError
+from ..errors import InputError, SettingError, no_part, of_field
+from ..forces.words import CAUSES
 from ..model.system import same_topology
 from ..motion.divergence import Divergence
 from ..motion.simulation import Simulation
-from ..motion.stability import Cause, limit_at_start
+from ..motion.stability import limit_at_start
 from ..scene.parts import AngularSpring, LinearSpring
 from ..scene.types import Method, Scene
 from ..scene.validate import number_range, validate
 from ..solve.registry import METHODS
+from ..text import Text
 
 _MARGIN = 1.01
 """Factor by which the stability limit must exceed the time step: its estimate is accurate to 1 %. At 1.005 or
@@ -125,8 +127,12 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
     high, low = float(loads.max(initial=0.0)), _SOFTEST
     if high <= low or not _is_calm(capped(low)):
         raise InputError(
-            f"make_stable: at {step:g} s it is not springs and joints that limit the time step, but "
-            f"{_cause(capped(low)) or 'something else'}"
+            Text(
+                "{where}: at {step:g} s it is not springs and joints that limit the time step, but {cause}",
+                where="make_stable",
+                step=step,
+                cause=_cause(capped(low)),
+            )
         )
     while not calm and high > _CLOSE * low:
         middle = math.sqrt(low * high)
@@ -141,7 +147,12 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
         reason = runs_away.reason
         cap *= _LOWER
     raise InputError(
-        f"make_stable: at {step:g} s the body runs away from its start, however soft its springs: {reason}"
+        Text(
+            "{where}: at {step:g} s the body runs away from its start, however soft its springs: {reason}",
+            where="make_stable",
+            step=step,
+            reason=reason,
+        )
     )
 
 
@@ -175,23 +186,44 @@ def damp_vibration(scene: Scene, mode: int | None = None, spring: int | None = N
         return _with_damped(scene, (spring,))
     own = Numbers.of(scene)
     if mode is not None and (isinstance(mode, bool) or not isinstance(mode, int) or mode < 0):
-        raise InputError(f"damp_vibration: {mode} is not the number of a vibration, from 0")
+        raise InputError(
+            Text(
+                "{where}: {mode} is not the number of a vibration, from 0", where="damp_vibration", mode=mode
+            )
+        )
     resting, found = vibrations_at_rest(scene, MAX_VIBRATIONS if mode is None else mode + 1)
     if mode is not None and mode >= len(found.omega):
-        raise InputError(f"damp_vibration: the body has no vibration {mode}, but {len(found.omega)}")
+        raise InputError(
+            Text(
+                "{where}: the body has no vibration {mode}, but {count}",
+                where="damp_vibration",
+                mode=mode,
+                count=len(found.omega),
+            )
+        )
     dampers = Dampers(resting)
     for omega, shape in list(zip(found.omega.tolist(), found.shapes, strict=True))[mode or 0 :]:
         hold = dampers.hold(omega, shape)
         if hold.is_elastic or (mode is not None and max(hold.springs, hold.joints) > _MIN_HOLD):
             return with_numbers(scene, _damped(own, dampers, omega, shape, hold))
-    raise InputError("damp_vibration: springs and joints hold no such vibration, so they cannot damp it")
+    raise InputError(
+        Text(
+            "{where}: springs and joints hold no such vibration, so they cannot damp it",
+            where="damp_vibration",
+        )
+    )
 
 
 def _damped(own: Numbers, dampers: Dampers, omega: float, shape: Floats, hold: Hold) -> Numbers:
     """Return the numbers with which the damping ratio of a vibration is 1."""
     left = 1.0 - hold.around
     if not left > 0.0:
-        raise InputError("damp_vibration: the vibration is damped critically without springs and joints")
+        raise InputError(
+            Text(
+                "{where}: the vibration is damped critically without springs and joints",
+                where="damp_vibration",
+            )
+        )
     by_joints = hold.joints > hold.springs
     springs, joints = own.damping, own.joint_damping
     other = dampers.ratio(omega, shape, springs) if by_joints else dampers.ratio(omega, shape, None, joints)
@@ -237,7 +269,11 @@ def as_far_as_stable(scene: Scene, damped: Scene) -> Scene:
         return damped
     if not _is_calm(scene):
         raise InputError(
-            f"damping: a time step of {scene.integrator.dt:g} s is too long for the body as it is"
+            Text(
+                "{where}: a time step of {step:g} s is too long for the body as it is",
+                where="damping",
+                step=scene.integrator.dt,
+            )
         )
     low, high = 0.0, 1.0
     for _ in range(_HALVINGS):
@@ -260,7 +296,9 @@ def edit_of(change: Callable[[Scene], Scene], origin: Scene, scene: Scene, label
     """
     same = same_topology(origin, scene) and all(map(np.array_equal, Numbers.of(origin), Numbers.of(scene)))
     if not same:
-        raise SettingError(f"{label}: the body was changed meanwhile, so that it is not that one any more")
+        raise SettingError(
+            Text("{label}: the body was changed meanwhile, so that it is not that one any more", label=label)
+        )
     return Edit(label, change(scene))
 
 
@@ -269,11 +307,23 @@ def _with_damped(scene: Scene, springs: Collection[int]) -> Scene:
     damping, broken = own.damping.copy(), broken_parts(scene)[0]
     for spring in springs:
         if isinstance(spring, bool) or not isinstance(spring, int) or not 0 <= spring < len(softness):
-            raise InputError(f"damp_vibration: spring {spring} does not exist (0..{len(softness) - 1})")
+            raise InputError(of_field("damp_vibration", no_part("spring", spring, len(softness))))
         if spring in broken:
-            raise InputError(f"damp_vibration: spring {spring} is broken, so it cannot vibrate")
+            raise InputError(
+                Text(
+                    "{where}: spring {spring} is broken, so it cannot vibrate",
+                    where="damp_vibration",
+                    spring=spring,
+                )
+            )
         if not softness[spring] > 0.0:
-            raise InputError(f"damp_vibration: both masses of spring {spring} are held, so it cannot vibrate")
+            raise InputError(
+                Text(
+                    "{where}: both masses of spring {spring} are held, so it cannot vibrate",
+                    where="damp_vibration",
+                    spring=spring,
+                )
+            )
         damping[spring] = 2.0 * math.sqrt(float(own.stiffness[spring] / softness[spring]))
     return with_numbers(scene, own._replace(damping=_allowed(damping)))
 
@@ -282,7 +332,12 @@ def _allowed(damping: Floats) -> Floats:
     most = number_range(LinearSpring, "damping")[1]
     if damping.size and not damping.max() <= most:
         raise InputError(
-            f"damp_vibration: it would take a damping of {damping.max():.3g} kg/s, and {most:g} is the most"
+            Text(
+                "{where}: it would take a damping of {damping:.3g} kg/s, and {most:g} is the most",
+                where="damp_vibration",
+                damping=damping.max(),
+                most=most,
+            )
         )
     return damping
 
@@ -297,8 +352,9 @@ def _is_calm(scene: Scene) -> bool:
     return limit_at_start(scene, method).limit >= _MARGIN * dt
 
 
-def _cause(scene: Scene) -> Cause | None:
-    return limit_at_start(scene, scene.integrator.method).cause
+def _cause(scene: Scene) -> str:
+    cause = limit_at_start(scene, scene.integrator.method).cause
+    return CAUSES[cause] if cause else Text("something else")
 
 
 def _runs_away(scene: Scene) -> Divergence | None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..errors import InputError
 from ..motion.dimensions import IN_ASCII, dimension_of
+from ..text import Text
 
 _METRES = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "km": 1e3}
 """Metres in each unit of length of known size."""
@@ -98,8 +99,8 @@ def unit_of(text: str, dimension: str, scene_length: str) -> Unit:
         if length:
             return Unit(dimension, 1.0, length, own.power)
     if found is None or found.dimension != dimension:
-        expected = dimension.format(unit="m") or "a pure number"
-        raise InputError(f"{text!r} is not a unit of it, as {expected} is")
+        expected = dimension.format(unit="m") or Text("a pure number")
+        raise InputError(Text("{unit!r} is not a unit of it, as {expected} is", unit=text, expected=expected))
     return found
 
 

@@ -22,7 +22,7 @@ import numpy as np
 
 from ..analysis.vibrations import MAX_MASSES
 from ..edit.edit import of_parts
-from ..errors import InputError, SceneError
+from ..errors import InputError, SceneError, no_part, of_field
 from ..motion.stability import StabilityMeter, meter_at_start
 from ..scene.columns import ends
 from ..scene.parts import AngularSpring, LinearSpring
@@ -30,6 +30,7 @@ from ..scene.types import Scene
 from ..scene.validate import validate
 from ..settings import SETTINGS, moves
 from ..solve.registry import METHODS
+from ..text import Text, listed
 from .calming import Calming
 from .keep_shape import DesignError
 from .sensitivity import AtRest, Change, Floats, by_setting, scaled
@@ -210,7 +211,9 @@ def set_wishes(
         conflict = _sentence(wishes, against, reached, scene.view.unit)
         changed = (abs(math.log(factor)) for factor in (best.factors.springs, best.factors.joints))
         if max(changed) > 0.99 * math.log(_MOST):
-            conflict += f"; stiffness changes by a factor of at most {_MOST:.0f}"
+            conflict = Text(
+                "{error}; stiffness changes by a factor of at most {most:.0f}", error=conflict, most=_MOST
+            )
     return Design(made, best.factors, reached, against, conflict)
 
 
@@ -229,20 +232,39 @@ def _refuse_senseless(scene: Scene, wishes: _Wishes, mass: int | None) -> None:
         "dt": (1e-9, 1.0, "s"),
     }
     if not wishes.names:
-        raise InputError(f"set_wishes: nothing is wished; there are {', '.join(ranges)}")
+        raise InputError(
+            Text("{where}: nothing is wished; there are {known}", where="set_wishes", known=", ".join(ranges))
+        )
     for name in wishes.names:
         value, (low, high, unit) = getattr(wishes, name), ranges[name]
         number = isinstance(value, int | float) and not isinstance(value, bool)
         if not (number and low <= value <= high):
-            raise InputError(f"set_wishes: {name} {value} is not in the range {low:g}..{high:g} {unit}")
+            raise InputError(
+                Text(
+                    "{where}: {name} {value} is not in the range {low:g}..{high:g} {unit}",
+                    where="set_wishes",
+                    name=name,
+                    value=value,
+                    low=low,
+                    high=high,
+                    unit=unit,
+                )
+            )
     if mass is not None:
         whole = isinstance(mass, int) and not isinstance(mass, bool)
         if not (whole and 0 <= mass < len(scene.masses)):
-            raise InputError(f"set_wishes: mass {mass} does not exist (0..{len(scene.masses) - 1})")
+            raise InputError(of_field("set_wishes", no_part("mass", mass, len(scene.masses))))
         if any(anchor.mass == mass for anchor in scene.anchors):
-            raise _no(f"mass {mass} is held, so it does not sag")
+            raise _no(Text("mass {mass} is held, so it does not sag", mass=mass))
     if len(scene.masses) > MAX_MASSES:
-        raise InputError(f"set_wishes: {len(scene.masses)} masses are more than {MAX_MASSES}")
+        raise InputError(
+            Text(
+                "{where}: {count} masses are more than {most}",
+                where="set_wishes",
+                count=len(scene.masses),
+                most=MAX_MASSES,
+            )
+        )
 
 
 def _no(sentence: str) -> DesignError:
@@ -306,14 +328,16 @@ class _Search:
             DesignError: gives the reason.
         """
         if not moves(self._scene):
-            raise _no("no mass is free, so nothing moves")
+            raise _no(Text("no mass is free, so nothing moves"))
         if not self._changes:
-            raise _no("no spring has any stiffness")
-        because = f": {self._start.notes[0]}" if self._start.notes else ""
+            raise _no(Text("no spring has any stiffness"))
+        notes = self._start.notes
         if self._start.elastic is None and (wishes.frequency is not None or wishes.calm_after is not None):
-            raise _no(f"no springs or joints hold it as it swings, so it has no elastic vibration{because}")
+            why = Text("no springs or joints hold it as it swings, so it has no elastic vibration")
+            raise _no(Text("{error}: {reason}", error=why, reason=notes[0]) if notes else why)
         if wishes.sag is not None and self._start.sag is None:
-            raise _no(f"nothing sags{because or ': nothing pulls it'}")
+            reason = notes[0] if notes else Text("nothing pulls it")
+            raise _no(Text("nothing sags: {reason}", reason=reason))
 
     def best(self, wishes: _Wishes) -> _Trial:
         """Return the trial closest to some wishes; with a taper only if necessary."""
@@ -608,15 +632,25 @@ def _times(parts: tuple[P, ...], factors: Floats) -> tuple[P, ...]:
 def _sentence(wishes: _Wishes, against: tuple[str, ...], reached: dict[str, float], unit: str) -> str:
     """Return a sentence that names conflicting wishes and the nearest values."""
 
-    def number(name: str, value: float) -> str:
-        if name == "dt":
-            return f"{1e3 * value:.3g} ms"
-        return f"{value:.3g} {'Hz' if name == 'frequency' else unit if name == 'sag' else 's'}"
+    def said(name: str, value: float) -> str:
+        match name:
+            case "dt":
+                return Text("a time step of {value:.3g} ms", value=1e3 * value)
+            case "sag":
+                return Text("a sag of {value:.3g} {unit}", value=value, unit=unit)
+            case "calm_after":
+                return Text("calm after {value:.3g} s", value=value)
+            case _:
+                return Text("{value:.3g} Hz", value=value)
 
-    words = {"frequency": "", "calm_after": "calm after ", "sag": "a sag of ", "dt": "a time step of "}
-    asked = [words[name] + number(name, getattr(wishes, name)) for name in against]
-    nearest = " and ".join(words[name] + number(name, reached[name]) for name in against if name in reached)
-    instead = f"; the nearest is {nearest}" if nearest else ""
-    if len(asked) == 1:
-        return f"{asked[0]} cannot be had by stiffness and damping{instead}"
-    return f"{', '.join(asked[:-1])} and {asked[-1]} cannot be had together{instead}"
+    asked = listed([said(name, getattr(wishes, name)) for name in against])
+    nearest = ""
+    for name in against:
+        if name in reached:
+            each = said(name, reached[name])
+            nearest = Text("{one} and {other}", one=nearest, other=each) if nearest else each
+    if len(against) == 1:
+        why = Text("{asked} cannot be had by stiffness and damping", asked=asked)
+    else:
+        why = Text("{asked} cannot be had together", asked=asked)
+    return Text("{error}; the nearest is {nearest}", error=why, nearest=nearest) if nearest else why

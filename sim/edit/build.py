@@ -18,6 +18,7 @@ from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
+from ..text import Text
 from .edit import Edit, Map, Selection, counted, of_parts, refuse_missing, with_added, without
 
 P = TypeVar("P", Mass, LinearSpring, AngularSpring)
@@ -77,9 +78,17 @@ def add_springs(
             apart = min(apart, math.dist(scene.pose.positions[a], scene.pose.positions[b]))
         if not min(length, apart) > SHORTEST or length > 1e6:
             raise SceneError(
-                f"masses {a} and {b} are, or start, in the same place, so no spring can join them"
+                Text(
+                    "masses {a} and {b} are, or start, in the same place, so no spring can join them",
+                    a=a,
+                    b=b,
+                )
                 if length <= 1e6
-                else f"masses {a} and {b} are too far apart for a spring: its rest length is 1e6 px at most"
+                else Text(
+                    "masses {a} and {b} are too far apart for a spring: its rest length is 1e6 px at most",
+                    a=a,
+                    b=b,
+                )
             )
         springs.append(msgspec.structs.replace(typical, a=a, b=b, rest_length=length))
     return with_added(f"{counted(len(springs), 'spring')} added", scene, springs=springs)
@@ -108,7 +117,9 @@ def add_joints(
     for (a, b), angle in zip(pairs, angles, strict=True):
         refuse_missing((a, b), len(springs), "spring")
         if a == b or not {springs[a].a, springs[a].b} & {springs[b].a, springs[b].b}:
-            raise SceneError(f"springs {a} and {b} share no mass, so no angular spring can hold them")
+            raise SceneError(
+                Text("springs {a} and {b} share no mass, so no angular spring can hold them", a=a, b=b)
+            )
         if (a, b) in taken or (b, a) in taken:
             continue
         taken.add((a, b))
@@ -208,7 +219,7 @@ def place(at: Vector) -> Vector:
     """
     x, y = float(at[0]), float(at[1])
     if not (abs(x) <= MAX_COORDINATE and abs(y) <= MAX_COORDINATE):
-        raise SceneError(f"({x:g}, {y:g}) is not in the range -1e6..1e6 px")
+        raise SceneError(Text("({x:g}, {y:g}) is not in the range -1e6..1e6 px", x=x, y=y))
     return x, y
 
 

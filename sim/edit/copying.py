@@ -12,6 +12,7 @@ from ..scene.parts import Anchor, AngularSpring, Beat, LinearSpring, Mass
 from ..scene.types import Scene
 from ..scene.validate import validate
 from ..store.places import sentence_of_json
+from ..text import Text
 from .build import place
 from .edit import Edit, Selection, counted, of_parts, refuse_missing, with_added, without
 
@@ -43,7 +44,7 @@ def copy(scene: Scene, masses: Collection[int], positions: Sequence[Vector]) -> 
     chosen = sorted(masses)
     refuse_missing(chosen, len(scene.masses))
     if not chosen:
-        raise SceneError("nothing is selected that could be copied")
+        raise SceneError(Text("nothing is selected that could be copied"))
     others = frozenset(range(len(scene.masses))).difference(chosen)
     left, *_ = without(of_parts(scene), Selection(masses=others))
     places = [positions[i] for i in chosen]
@@ -97,11 +98,19 @@ def decode(text: str) -> Fragment:
     """
     data = text.encode("utf-8", "replace")
     if len(data) > MAX_FRAGMENT_BYTES:
-        raise SceneError(f"{len(data)} bytes are more than the {MAX_FRAGMENT_BYTES} that can be pasted")
+        raise SceneError(
+            Text(
+                "{count} bytes are more than the {most} that can be pasted",
+                count=len(data),
+                most=MAX_FRAGMENT_BYTES,
+            )
+        )
     try:
         fragment = msgspec.json.decode(data, type=Fragment)
     except (msgspec.DecodeError, RecursionError) as error:
-        raise SceneError(f"this cannot be pasted: {sentence_of_json(error, data, Fragment)}") from None
+        raise SceneError(
+            Text("this cannot be pasted: {error}", error=sentence_of_json(error, data, Fragment))
+        ) from None
     try:
         # As a separate scene, so that any error in it is found.
         validate(
@@ -114,5 +123,5 @@ def decode(text: str) -> Fragment:
             )
         )
     except SceneError as error:
-        raise SceneError(f"this cannot be pasted: {error}") from None
+        raise SceneError(Text("this cannot be pasted: {error}", error=str(error))) from None
     return fragment

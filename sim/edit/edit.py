@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import SceneError
+from ..errors import Part, SceneError, no_part
 from ..forces.plasticity import leaking
 from ..model.system import joint_stiffness
 from ..motion.moment import Moment
@@ -19,6 +19,7 @@ from ..scene.columns import ends
 from ..scene.numbers import MAX_MASSES, MAX_SPRINGS
 from ..scene.parts import Anchor, AngularSpring, LinearSpring, Mass
 from ..scene.types import Damage, Pose, Scene
+from ..text import Text
 
 T = TypeVar("T")
 Ended = TypeVar("Ended", LinearSpring, AngularSpring)
@@ -223,15 +224,25 @@ def with_added(
         SceneError: there are too many.
     """
 
-    def added(old: Sequence[object], new: Sequence[object], most: int, what: str) -> Map:
+    def added(old: Sequence[object], new: Sequence[object], most: int, refusal: Text) -> Map:
         if len(old) + len(new) > most:
-            raise SceneError(f"a scene has {most} {what} at most")
+            raise SceneError(refusal)
         return (*range(len(old)), *(-1,) * len(new)) if new else None
 
     maps = (
-        added(scene.masses, masses, MAX_MASSES, "masses"),
-        added(scene.linear_springs, springs, MAX_SPRINGS, "springs"),
-        added(scene.angular_springs, joints, MAX_SPRINGS, "angular springs"),
+        added(scene.masses, masses, MAX_MASSES, Text("a scene has {most} masses at most", most=MAX_MASSES)),
+        added(
+            scene.linear_springs,
+            springs,
+            MAX_SPRINGS,
+            Text("a scene has {most} springs at most", most=MAX_SPRINGS),
+        ),
+        added(
+            scene.angular_springs,
+            joints,
+            MAX_SPRINGS,
+            Text("a scene has {most} angular springs at most", most=MAX_SPRINGS),
+        ),
     )
     every = (*scene.masses, *masses)
     larger = msgspec.structs.replace(
@@ -272,7 +283,7 @@ def without(scene: Scene, gone: Selection) -> tuple[Scene, Map, Map, Map]:
     """
     masses = [i for i in range(len(scene.masses)) if i not in gone.masses]
     if not masses:
-        raise SceneError("a scene needs at least one mass, so the last one cannot be removed")
+        raise SceneError(Text("a scene needs at least one mass, so the last one cannot be removed"))
     at = {old: new for new, old in enumerate(masses)}
     springs = [
         s
@@ -328,7 +339,7 @@ def changed(parts: Sequence[T], new: Iterable[tuple[int, T]]) -> tuple[T, ...]:
     return tuple(every)
 
 
-def refuse_missing(parts: Iterable[int], count: int, what: str = "mass") -> None:
+def refuse_missing(parts: Iterable[int], count: int, what: Part = "mass") -> None:
     """Refuse parts that a scene does not have.
 
     Args:
@@ -341,8 +352,7 @@ def refuse_missing(parts: Iterable[int], count: int, what: str = "mass") -> None
     """
     for i in parts:
         if not 0 <= i < count:
-            there = f"0..{count - 1}" if count else "there are none"
-            raise SceneError(f"{what} {i} does not exist ({there})")
+            raise SceneError(no_part(what, i, count))
 
 
 def counted(count: int, what: str) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from msgspec import UNSET
 from numpy.typing import NDArray
 
-from ..errors import InputError, SceneError, SettingError
+from ..errors import InputError, SceneError, SettingError, no_part, of_field, span
 from ..motion.quantities import quantity
 from ..scene.lesson import MAX_PULLS, Lead, Lesson, Pull, Reading, RunMuscle, Step, StepRun
 from ..scene.parts import Circle, Mass
@@ -18,6 +18,7 @@ from ..scene.validate import validate
 from ..settings import CHOICES, apply_assignments, scene_of_step, setting_of, settings_of
 from ..solve.registry import METHODS
 from ..store.files import is_built_in
+from ..text import Text
 from .edit import Edit
 
 Floats = NDArray[np.float64]
@@ -44,7 +45,14 @@ def add_step(scene: Scene, at: int) -> Edit:
     """
     steps = list(_steps(scene))
     if not 0 <= at <= len(steps):
-        raise SceneError(f"lesson.steps: a step can be put in at 0..{len(steps)}, not at {at}")
+        raise SceneError(
+            Text(
+                "{where}: a step can be put in at 0..{count}, not at {at}",
+                where="lesson.steps",
+                count=len(steps),
+                at=at,
+            )
+        )
     settings = steps[max(0, at - 1)].settings if steps else ()
     steps.insert(at, Step(title=f"Step {at + 1}", do=FIRST_TASK, settings=settings))
     return _edit(f"step {at + 1} added", scene, steps)
@@ -109,7 +117,9 @@ def change_step(scene: Scene, number: int, label: str, **changes: Any) -> Edit:
         return Edit("", scene)
     where = f"lesson.steps[{number}]"
     if (question := changes.get("question")) is not None and not 2 <= len(question.choices) <= 5:
-        raise SceneError(f"{where}.question.choices: a question has 2 to 5 answers to choose from")
+        raise SceneError(
+            Text("{where}: a question has 2 to 5 answers to choose from", where=f"{where}.question.choices")
+        )
     steps[number] = changed
     edit = _edit(f"{label} of step {number + 1}", scene, steps)
     for field in ("goal", "collect"):
@@ -118,13 +128,13 @@ def change_step(scene: Scene, number: int, label: str, **changes: Any) -> Edit:
             try:
                 quantity(reading.quantity, scene)
             except InputError as error:
-                raise SceneError(f"{where}.{field}.quantity: {error}") from None
+                raise SceneError(of_field(f"{where}.{field}.quantity", str(error))) from None
     for i, key in enumerate(changes.get("controls", ())):
         if not (key in CHOICES and CHOICES[key].applies(scene)):
             try:
                 setting_of(scene, key)
             except SettingError as error:
-                raise SceneError(f"{where}.controls[{i}]: {error}") from None
+                raise SceneError(of_field(f"{where}.controls[{i}]", str(error))) from None
     return edit
 
 
@@ -197,7 +207,14 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
         for i in np.flatnonzero(np.hypot(*moved.T) > PULLED)
     )
     if len(pulls) > MAX_PULLS:
-        raise SceneError(f"{where}.pulls: {len(pulls)} masses are elsewhere; a run pulls {MAX_PULLS} at most")
+        raise SceneError(
+            Text(
+                "{where}: {count} masses are elsewhere; a run pulls {most} at most",
+                where=f"{where}.pulls",
+                count=len(pulls),
+                most=MAX_PULLS,
+            )
+        )
     muscles = tuple(
         RunMuscle(joint=j, muscle=one.muscle or None)
         for j, (one, other) in enumerate(zip(now.angular_springs, settled.angular_springs, strict=False))
@@ -205,7 +222,10 @@ def run_as(scene: Scene, number: int, now: Scene, positions: Floats, opened: Sce
     )
     if not (changed or pulls or muscles):
         raise SceneError(
-            f"{where}: all is as it is when the step begins; change a number or drag a mass first"
+            Text(
+                "{where}: all is as it is when the step begins; change a number or drag a mass first",
+                where=where,
+            )
         )
     led = _step(scene, number).run
     run = StepRun(
@@ -239,13 +259,21 @@ def lead_in_run(scene: Scene, number: int, mass: int, radius: float, frequency: 
     leads = [lead for lead in run.leads if lead.mass != mass]
     where = f"lesson.steps[{number}].run.leads"
     if not 0 <= mass < len(scene.masses):
-        raise SceneError(f"{where}.mass: mass {mass} does not exist (0..{len(scene.masses) - 1})")
+        raise SceneError(of_field(f"{where}.mass", no_part("mass", mass, len(scene.masses))))
     if radius != 0.0:
         if len(leads) >= MAX_PULLS:
-            raise SceneError(f"{where}: a run leads {MAX_PULLS} masses at most")
+            raise SceneError(Text("{where}: a run leads {most} masses at most", where=where, most=MAX_PULLS))
         for name, value, low, high in (("radius", radius, 0.0, 1e4), ("frequency", frequency, -100.0, 100.0)):
             if not low <= value <= high:
-                raise SceneError(f"{where}.{name}: {value:g} is not in {low:g}..{high:g}")
+                raise SceneError(
+                    Text(
+                        "{where}: {value:g} is not in {low:g}..{high:g}",
+                        where=f"{where}.{name}",
+                        value=value,
+                        low=low,
+                        high=high,
+                    )
+                )
         leads.append(Lead(mass=mass, circle=Circle(radius=radius, frequency=frequency)))
     changed = msgspec.structs.replace(run, leads=tuple(leads))
     steps = list(_steps(scene))
@@ -290,8 +318,14 @@ def _steps(scene: Scene) -> tuple[Step, ...]:
 def _step(scene: Scene, number: int) -> Step:
     steps = _steps(scene)
     if not 0 <= number < len(steps):
-        there = f"0..{len(steps) - 1}" if steps else "there are none"
-        raise SceneError(f"lesson.steps: step {number} does not exist ({there})")
+        raise SceneError(
+            Text(
+                "{where}: step {number} does not exist ({span})",
+                where="lesson.steps",
+                number=number,
+                span=span(len(steps)),
+            )
+        )
     return steps[number]
 
 
@@ -308,7 +342,7 @@ def _edit(label: str, scene: Scene, steps: list[Step]) -> Edit:
     """
     lesson = Lesson(steps=tuple(steps)) if steps else None
     if len(steps) > 20:
-        raise SceneError("lesson.steps: a lesson has 20 steps at most")
+        raise SceneError(Text("{where}: a lesson has 20 steps at most", where="lesson.steps"))
     # With a separate body, since the scene's may be large: it has as many masses as are moved.
     moved = [one.mass for step in steps if step.run for one in (*step.run.pulls, *step.run.leads)]
     masses = (Mass(position=(0.0, 0.0)),) * min(1 + max(moved, default=0), len(scene.masses))

@@ -11,6 +11,7 @@ from ..errors import SettingError
 from ..scene.parts import AngularSpring, Beat, JointMuscle, LinearSpring, SpringMuscle, Wave
 from ..scene.types import Scene, is_muscular
 from ..scene.validate import number_range
+from ..text import Text
 from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 
 DECIMALS = 9
@@ -44,7 +45,7 @@ def give_muscles(scene: Scene, parts: Selection) -> Edit:
     have = muscles_of(scene, parts)
     springs, joints = parts.springs - have.springs, parts.joints - have.joints
     if not (springs or joints):
-        raise SettingError("select springs or joints that are to have a muscle")
+        raise SettingError(Text("select springs or joints that are to have a muscle"))
     scene = of_parts(scene)
     given = msgspec.structs.replace(
         scene,
@@ -188,7 +189,7 @@ def _in_turn(phase: float) -> float:
 def _having(scene: Scene, parts: Selection) -> Selection:
     have = muscles_of(scene, parts)
     if not (have.springs or have.joints):
-        raise SettingError("no muscle is selected")
+        raise SettingError(Text("no muscle is selected"))
     return have
 
 

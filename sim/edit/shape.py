@@ -14,6 +14,7 @@ from ..scene.numbers import Vector
 from ..scene.recipes.assembly import wrapped
 from ..scene.types import Scene
 from ..scene.validate import SHORTEST
+from ..text import Text
 from .build import add_joints, add_springs, angle_between, place, remove
 from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 
@@ -92,7 +93,11 @@ def _refuse_coincidence(scene: Scene, moved: set[int]) -> None:
             for at in starts:
                 if math.dist(at[spring.a], at[spring.b]) < SHORTEST:
                     raise SceneError(
-                        f"masses {spring.a} and {spring.b}, which a spring joins, would be in the same place"
+                        Text(
+                            "masses {a} and {b}, which a spring joins, would be in the same place",
+                            a=spring.a,
+                            b=spring.b,
+                        )
                     )
 
 
@@ -184,7 +189,7 @@ def triangulate(
     except QhullError:
         triangles = None
     if triangles is None:
-        raise SceneError("only three masses or more that are not on one line can be braced")
+        raise SceneError(Text("only three masses or more that are not on one line can be braced"))
     inside = set(chosen)
     present = {frozenset((s.a, s.b)) for s in scene.linear_springs if s.a in inside and s.b in inside}
     outline = _outline(chosen, present)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from ..errors import SceneError
 from ..scene.types import Scene, shown_name
 from ..scene.validate import validate
+from ..text import Text
 
 TERRAIN = ("gravity", "air_friction", "air_law", "wind", "medium", "ground", "walls", "contact")
 """The fields of a scene that surround a body."""
@@ -24,9 +25,18 @@ def on_terrain(scene: Scene, terrain: Scene) -> Scene:
     """
     name, (one, other) = shown_name(scene)[:80], (scene.view, terrain.view)
     if one.unit != other.unit:
-        raise SceneError(f"{name!r} is measured in {one.unit}; on this terrain, a race needs {other.unit}")
+        raise SceneError(
+            Text(
+                "{name!r} is measured in {unit}; on this terrain, a race needs {needed}",
+                name=name,
+                unit=one.unit,
+                needed=other.unit,
+            )
+        )
     if one.y_down != other.y_down:
-        raise SceneError(f"{name!r} would stand on its head here: its y axis points the other way")
+        raise SceneError(
+            Text("{name!r} would stand on its head here: its y axis points the other way", name=name)
+        )
     around = {field: getattr(terrain, field) for field in TERRAIN}
     placed = msgspec.structs.replace(scene, **around)
     return validate(placed if scene.walls == terrain.walls else _out_of_walls(placed))

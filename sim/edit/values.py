@@ -10,13 +10,15 @@ from typing import Any, Literal
 import msgspec
 import numpy as np
 
-from ..errors import SettingError
+from ..errors import Part, SettingError, out_of_range
 from ..forces.muscles import swings
 from ..motion.moment import Moment
 from ..scene.columns import column
 from ..scene.parts import AngularSpring, JointMuscle, LinearSpring, Mass, Motor, Muscle, SpringMuscle
 from ..scene.types import Damage, Scene
 from ..scene.validate import number_range
+from ..text import Text
+from ..text import number as shown
 from .build import angle_between, positions_of, wrapped_degrees
 from .edit import Edit, Selection, changed, counted, of_parts, refuse_missing
 from .shape import move
@@ -29,7 +31,7 @@ _TYPES: dict[Kind, type] = {
     "linear_springs": LinearSpring,
     "angular_springs": AngularSpring,
 }
-_WORDS: dict[Kind, str] = {"masses": "mass", "linear_springs": "spring", "angular_springs": "joint"}
+_WORDS: dict[Kind, Part] = {"masses": "mass", "linear_springs": "spring", "angular_springs": "joint"}
 
 
 @dataclass(frozen=True)
@@ -98,34 +100,34 @@ def _of_motor(field: str, label: str) -> Number:
 
 
 NUMBERS = (
-    _number("masses", "mass", "Mass"),
-    _number("masses", "radius", "Radius"),
-    _number("masses", "force", "Force x", axis=0),
-    _number("masses", "force", "Force y", axis=1),
-    _number("linear_springs", "stiffness", "Stiffness"),
-    _number("linear_springs", "damping", "Damping"),
-    _number("linear_springs", "rest_length", "Rest length"),
-    _number("linear_springs", "strength", "Strength", optional=True),
-    _number("linear_springs", "yield_force", "Yield force", optional=True),
-    _number("linear_springs", "hardening", "Hardening"),
-    _number("angular_springs", "stiffness", "Joint stiffness"),
-    _number("angular_springs", "damping", "Joint damping"),
-    _number("angular_springs", "rest_angle", "Rest angle"),
-    _number("angular_springs", "yield_torque", "Yield torque", optional=True),
-    _of_muscle("linear_springs", SpringMuscle, "amplitude", "Muscle amplitude"),
-    _of_muscle("linear_springs", SpringMuscle, "phase", "Muscle phase"),
-    _of_muscle("linear_springs", SpringMuscle, "per_beat", "Muscle waves per beat", whole=True),
-    _of_muscle("angular_springs", JointMuscle, "amplitude", "Joint muscle amplitude"),
-    _of_muscle("angular_springs", JointMuscle, "phase", "Joint muscle phase"),
-    _of_muscle("angular_springs", JointMuscle, "per_beat", "Joint muscle waves per beat", whole=True),
-    _of_motor("speed", "Motor speed"),
-    _of_motor("torque", "Motor torque"),
+    _number("masses", "mass", Text("Mass")),
+    _number("masses", "radius", Text("Radius")),
+    _number("masses", "force", Text("Force x"), axis=0),
+    _number("masses", "force", Text("Force y"), axis=1),
+    _number("linear_springs", "stiffness", Text("Stiffness")),
+    _number("linear_springs", "damping", Text("Damping")),
+    _number("linear_springs", "rest_length", Text("Rest length")),
+    _number("linear_springs", "strength", Text("Strength"), optional=True),
+    _number("linear_springs", "yield_force", Text("Yield force"), optional=True),
+    _number("linear_springs", "hardening", Text("Hardening")),
+    _number("angular_springs", "stiffness", Text("Joint stiffness")),
+    _number("angular_springs", "damping", Text("Joint damping")),
+    _number("angular_springs", "rest_angle", Text("Rest angle")),
+    _number("angular_springs", "yield_torque", Text("Yield torque"), optional=True),
+    _of_muscle("linear_springs", SpringMuscle, "amplitude", Text("Muscle amplitude")),
+    _of_muscle("linear_springs", SpringMuscle, "phase", Text("Muscle phase")),
+    _of_muscle("linear_springs", SpringMuscle, "per_beat", Text("Muscle waves per beat"), whole=True),
+    _of_muscle("angular_springs", JointMuscle, "amplitude", Text("Joint muscle amplitude")),
+    _of_muscle("angular_springs", JointMuscle, "phase", Text("Joint muscle phase")),
+    _of_muscle("angular_springs", JointMuscle, "per_beat", Text("Joint muscle waves per beat"), whole=True),
+    _of_motor("speed", Text("Motor speed")),
+    _of_motor("torque", Text("Motor torque")),
 )
 """Every number that can be set for single parts."""
 
 STARTS = (
-    _number("masses", "position", "Start x", axis=0),
-    _number("masses", "position", "Start y", axis=1),
+    _number("masses", "position", Text("Start x"), axis=0),
+    _number("masses", "position", Text("Start y"), axis=1),
 )
 """Start positions of masses, in the saved pose if there is one: of several the middle; they move together."""
 
@@ -140,7 +142,9 @@ def number(kind: str, field: str) -> Number:
         if (each.kind, each.field) == (kind, field):
             return each
     known = ", ".join(f"{each.kind}.{each.field}" for each in NUMBERS)
-    raise SettingError(f"{kind}.{field}: there is no such number; there are {known}")
+    raise SettingError(
+        Text("{where}: there is no such number; there are {known}", where=f"{kind}.{field}", known=known)
+    )
 
 
 def values_of(scene: Scene, of: Number, parts: Collection[int]) -> set[float | None]:
@@ -284,7 +288,9 @@ def set_way(scene: Scene, way: Way, parts: Collection[int], name: str) -> Edit:
         SceneError: a part does not exist.
     """
     if name not in way.words:
-        raise SettingError(f"{name!r} is not one of {', '.join(filter(None, way.words))}")
+        raise SettingError(
+            Text("{name!r} is not one of {known}", name=name, known=", ".join(filter(None, way.words)))
+        )
     scene = of_parts(scene)
     every = getattr(scene, way.kind)
     refuse_missing(parts, len(every), _WORDS[way.kind])
@@ -381,7 +387,7 @@ def take_as_rest(moment: Moment, parts: Selection) -> Edit:
         pairs = enumerate(scene.angular_springs)
         joints = frozenset(j for j, each in pairs if each.a in springs or each.b in springs)
     if not (springs or joints):
-        raise SettingError("no spring and no joint is selected that could rest as it is")
+        raise SettingError(Text("no spring and no joint is selected that could rest as it is"))
     length, angle = number("linear_springs", "rest_length"), number("angular_springs", "rest_angle")
     beat = scene.beat
 
@@ -414,13 +420,11 @@ def _turned(angle: float, by: float) -> float:
 def _refuse_value(of: Number, value: float | None) -> None:
     if value is None:
         if not of.optional:
-            raise SettingError(f"{of.label}: it cannot be left out")
+            raise SettingError(Text("{label}: it cannot be left out", label=of.label))
     elif not of.low <= value <= of.high:
-        raise SettingError(
-            f"{of.label}: {value:g} is not in the range {of.low:g}..{of.high:g} {of.unit}".rstrip()
-        )
+        raise SettingError(out_of_range(of.label, shown(value), shown(of.low), shown(of.high), of.unit))
     elif of.whole and value != int(value):
-        raise SettingError(f"{of.label}: {value:g} is not a whole number")
+        raise SettingError(Text("{where}: {value:g} is not a whole number", where=of.label, value=value))
 
 
 def _with_values(scene: Scene, of: Number, values: dict[int, float | None], label: str) -> Edit:
@@ -439,12 +443,18 @@ def _refuse_contradiction(part: Mass | LinearSpring | AngularSpring) -> None:
     """Refuse contradictory numbers, as `sim.scene.validate` does in a file."""
     match part:
         case LinearSpring(yield_force=None, hardening=hardening) if hardening:
-            raise SettingError("Hardening: it has no effect on a spring without a yield force")
+            raise SettingError(Text("Hardening: it has no effect on a spring without a yield force"))
         case LinearSpring(yield_force=float(), stiffness=0.0):
-            raise SettingError("Stiffness: a spring that yields needs one")
+            raise SettingError(Text("Stiffness: a spring that yields needs one"))
         case LinearSpring(yield_force=float(limit), strength=float(strength)) if strength < limit:
-            raise SettingError(f"Strength: {strength:g} is below the yield force {limit:g}")
+            raise SettingError(
+                Text(
+                    "Strength: {strength:g} is below the yield force {limit:g}",
+                    strength=strength,
+                    limit=limit,
+                )
+            )
         case AngularSpring(yield_torque=float(), stiffness=0.0):
-            raise SettingError("Joint stiffness: a joint that yields needs one")
+            raise SettingError(Text("Joint stiffness: a joint that yields needs one"))
         case _:
             pass

@@ -15,6 +15,8 @@ from ..engine.calls import INDIRECT_CALLS
 from ..engine.jit import FAST, kernel
 from ..engine.lanes import eight_at_a_time, whole_eights
 from ..engine.tables import Body
+from ..text import Text
+from . import words
 from .air import AIR, add_damping_of_still_air, add_derivatives_of_still_air, brake, power_of_still_air
 from .chain import chain_accelerations, is_chain_like
 from .events import LARGEST_PART, UNSEEN
@@ -75,8 +77,7 @@ def _parts_of(index: int, term: Term) -> dict[str, Part]:
         if function is None:
             ADDRESSES[number] = NONE
         else:
-            what = term.name if term.field else term.label
-            label = f"{what}: {field.replace('add_', '').replace('_', ' ')}"
+            label = Text("{term}: {kernel}", term=words.TERMS[term.name], kernel=words.KERNELS[field])
             found[field] = Part(f"{term.name}.{field}", label, function, signature, number)
     return found
 
@@ -219,9 +220,9 @@ def accelerations(body, state, scratch, q, v, a):
 _PATHS = {
     number: Part(function.py_func.__name__, label, function, INDIRECT_CALLS["accelerations"], number)
     for number, label, function in (
-        (_CHAIN, "accelerations in chains", chain_accelerations),
-        (_ANY, "accelerations in any body", any_accelerations),
-        (_BRAKED, "accelerations in air", braked_accelerations),
+        (_CHAIN, Text("accelerations in chains"), chain_accelerations),
+        (_ANY, Text("accelerations in any body"), any_accelerations),
+        (_BRAKED, Text("accelerations in air"), braked_accelerations),
     )
 }
 _BY_TERM = [_parts_of(index, term) for index, term in enumerate(TERMS)]

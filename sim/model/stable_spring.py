@@ -13,6 +13,7 @@ import numpy as np
 
 from ..engine.tables import Body, Floats
 from ..scene.types import Scene
+from ..text import Text
 from .system import build_system
 
 
@@ -71,9 +72,11 @@ def softening_note(scene: Scene) -> str:
     factor = softening(scene)
     if factor < 1.001:
         return ""
-    return (
-        f"the method Stable spring makes springs up to {factor:.3g} times as soft at a time step of "
-        f"{scene.integrator.dt:g} s, so the body sags and swings accordingly in a run"
+    return Text(
+        "the method Stable spring makes springs up to {factor:.3g} times as soft at a time step of {step:g} "
+        "s, so the body sags and swings accordingly in a run",
+        factor=factor,
+        step=scene.integrator.dt,
     )
 
 

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..errors import InputError
+from ..text import Text
 
 HIGHEST = 9
 """Highest power in a unit, so that a power is one digit."""
@@ -36,13 +37,13 @@ class Dimension(NamedTuple):
         """The dimension of a product with a power of another.
 
         Raises:
-            InputError: a power is no multiple of 1/2, or beyond `HIGHEST`; the message tells it of a unit.
+            InputError: a power is no multiple of 1/2, or beyond `HIGHEST`; the text's `of` says what has it.
         """
         found = [one + power * of for one, of in zip(self, other, strict=True)]
         if any(abs(each) > 2 * HIGHEST for each in found):
-            raise InputError(f"has a unit with a power beyond {HIGHEST}")
+            raise InputError(Text("{of} has a unit with a power beyond {most}", of="it", most=HIGHEST))
         if any(each != int(each) for each in found):
-            raise InputError("has a unit with a power that is no multiple of 1/2")
+            raise InputError(Text("{of} has a unit with a power that is no multiple of 1/2", of="it"))
         return Dimension(*map(int, found))
 
     @property
@@ -93,7 +94,14 @@ def read_unit(text: str, length: str) -> tuple[float, Dimension]:
         return _read(text, {length: (1.0, Dimension(length=2)), **_BASE, **named})
     except InputError:
         known = ", ".join(("kg", length, "s", "°", "deg", "rad", *named))
-        raise InputError(f"{text!r} is not a unit made of {known}, as {length}/s^2 is") from None
+        raise InputError(
+            Text(
+                "{unit!r} is not a unit made of {known}, as {length}/s^2 is",
+                unit=text,
+                known=known,
+                length=length,
+            )
+        ) from None
 
 
 def _read(text: str, units: Mapping[str, tuple[float, Dimension]]) -> tuple[float, Dimension]:
@@ -101,19 +109,19 @@ def _read(text: str, units: Mapping[str, tuple[float, Dimension]]) -> tuple[floa
     if below.startswith("(") and below.endswith(")"):
         below = below[1:-1]
     elif len(below.split()) > 1:
-        raise InputError("it is open what is below the stroke")
+        raise InputError(Text("it is open what is below the stroke"))
     factor, found = 1.0, PURE
     for words, sign in ((above if not slash or above != "1" else "", 1.0), (below, -1.0)):
         for word in words.split():
             match = _WORD.fullmatch(word)
             if match is None or match[1] not in units:
-                raise InputError(f"{word!r} is not a unit")
+                raise InputError(Text("{word!r} is not a unit", word=word))
             size, dimension = units[match[1]]
             power = sign * float(match[2] or _RAISED.get(match[3], "1"))
             factor *= size**power
             found = found.times(dimension, power)
     if not above or (slash and not below.strip()):
-        raise InputError("a unit is missing")
+        raise InputError(Text("a unit is missing"))
     return factor, found
 
 

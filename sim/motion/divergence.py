@@ -9,11 +9,13 @@ from functools import cached_property, partial
 from typing import Literal
 
 from ..engine.tables import State
+from ..forces.words import CAUSES
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED, RUNAWAY_SPEED
 from ..scene.types import Scene
 from ..solve.registry import METHODS
 from ..solve.steps import guard
+from ..text import Text
 from .motion import Outcome
 from .stability import StabilityEstimate, StabilityMeter
 
@@ -62,29 +64,51 @@ class Divergence:
         return self.find_stability()
 
     def __str__(self) -> str:
-        what = {
-            "number": f"mass {self.mass} would get a position or velocity that is not a finite number",
-            "position": f"mass {self.mass} went too far (over {self.limit:,.0f} px)",
-            "step": "no step from here is short enough",
-            "speed": f"mass {self.mass} became too fast (over {self.limit:,.0f} px/s)",
-        }[self.quantity]
-        return f"stopped before step {self.step}: {what}; {self.reason}"
+        match self.quantity:
+            case "number":
+                what = Text(
+                    "mass {mass} would get a position or velocity that is not a finite number", mass=self.mass
+                )
+            case "position":
+                what = Text(
+                    "mass {mass} went too far (over {limit:,.0f} px)", mass=self.mass, limit=self.limit
+                )
+            case "step":
+                what = Text("no step from here is short enough")
+            case "speed":
+                what = Text(
+                    "mass {mass} became too fast (over {limit:,.0f} px/s)", mass=self.mass, limit=self.limit
+                )
+        return Text(
+            "stopped before step {step}: {what}; {reason}", step=self.step, what=what, reason=self.reason
+        )
 
     @property
     def reason(self) -> str:
         """The likely cause, in words."""
         if self.stability.cause is not None and self.dt > self.stability.limit:
-            return (
-                f"time step {self.dt:.4g} s is above the stability limit {self.stability.limit:.2g} s, "
-                f"set by the {self.stability.cause}"
+            return Text(
+                "time step {dt:.4g} s is above the stability limit {limit:.2g} s, set by the {cause}",
+                dt=self.dt,
+                limit=self.stability.limit,
+                cause=CAUSES[self.stability.cause],
             )
-        ever_faster = "the tutorial's force law has no energy and can drive a body ever faster"
+        if self.adaptive and self.driven:
+            return Text("the tutorial's force law has no energy and can drive a body ever faster")
         if self.adaptive:
-            return ever_faster if self.driven else "the body was moved or set up too violently"
+            return Text("the body was moved or set up too violently")
         if math.isinf(self.stability.limit):
-            return "the body was moved or set up too violently for this time step"
-        small = "the time step is below the stability limit, but that is for small motions about one pose"
-        return f"{small}; large or fast ones can pass it" + (f", and {ever_faster}" if self.driven else "")
+            return Text("the body was moved or set up too violently for this time step")
+        if self.driven:
+            return Text(
+                "the time step is below the stability limit, but that is for small motions about one pose; "
+                "large or fast ones can pass it, and the tutorial's force law has no energy and can drive a "
+                "body ever faster"
+            )
+        return Text(
+            "the time step is below the stability limit, but that is for small motions about one pose; large "
+            "or fast ones can pass it"
+        )
 
 
 def explain(scene: Scene, system: System, state: State, steps: int, outcome: Outcome) -> Divergence:

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
 from ..errors import InputError
+from ..text import Text
 from .dimensions import DEGREES, PURE, Dimension, read_unit
 
 MAX_LENGTH = 200
@@ -187,7 +188,12 @@ class _Reader:
         if self._next.kind != "end":
             raise self._unexpected()
         if not part.measured:
-            raise InputError(f"{_short(self._text)}: a formula has at least one quantity, such as mass0.x")
+            raise InputError(
+                Text(
+                    "{formula}: a formula has at least one quantity, such as mass0.x",
+                    formula=_short(self._text),
+                )
+            )
         return Formula(part.node, tuple(self._names), part.dimension, part.unwrapped)
 
     # --------------------------------------------------------------------- tokens
@@ -197,7 +203,11 @@ class _Reader:
             match = _TOKEN.match(self._text, at)
             if match is None:
                 sign = self._text[at:].lstrip(" ")[0]
-                raise InputError(f"{_short(self._text)}: {sign!r} has no place in a formula")
+                raise InputError(
+                    Text(
+                        "{formula}: {sign!r} has no place in a formula", formula=_short(self._text), sign=sign
+                    )
+                )
             kind = match.lastgroup or ""
             found.append(_Token(kind, match[kind], match.end() - len(match[0].lstrip(" ")), match.end()))
             at = match.end()
@@ -219,18 +229,24 @@ class _Reader:
         token = self._next
         before = self._text[: token.begin].rstrip(" ")
         if token.kind == "end":
-            return InputError(f"{_short(self._text)}: something is missing at the end")
-        after = f"after {_short(before, last=True)}" if before else "at the beginning"
-        return InputError(f"{_short(self._text[token.begin : token.end])} is not expected {after}")
+            return InputError(Text("{formula}: something is missing at the end", formula=_short(self._text)))
+        found = _short(self._text[token.begin : token.end])
+        if not before:
+            return InputError(Text("{found} is not expected at the beginning", found=found))
+        return InputError(
+            Text("{found} is not expected after {before}", found=found, before=_short(before, last=True))
+        )
 
     def _told(self, part: _Part) -> str:
         """A part, and its unit."""
-        unit = part.dimension.unit.format(unit=self._length) or "a pure number"
-        return f"{_short(self._text[part.begin : part.end])} ({unit})"
+        unit = part.dimension.unit.format(unit=self._length) or Text("a pure number")
+        return Text("{part} ({unit})", part=_short(self._text[part.begin : part.end]), unit=unit)
 
     def _fails(self, begin: int, error: InputError) -> InputError:
-        """The error of a unit, told of what was read last."""
-        return InputError(f"{_short(self._text[begin : self._tokens[self._at - 1].end])} {error}")
+        """The error of a dimension, told of what was read last."""
+        said = str(error)
+        assert isinstance(said, Text), "it has a place for it"
+        return InputError(said.with_parts(of=_short(self._text[begin : self._tokens[self._at - 1].end])))
 
     # --------------------------------------------------------------------- the grammar
     def _sum(self) -> _Part:
@@ -238,20 +254,26 @@ class _Reader:
         while sign := self._takes("+", "-"):
             right = self._product()
             if left.dimension != right.dimension:
-                done = "added" if sign == "+" else "subtracted"
-                hint = "" if PURE not in (left.dimension, right.dimension) else self._hint(left, right)
-                raise InputError(
-                    f"{self._told(left)} and {self._told(right)} cannot be {done}: their units differ{hint}"
-                )
+                one, other = self._told(left), self._told(right)
+                if sign == "+":
+                    why = Text("{one} and {other} cannot be added: their units differ", one=one, other=other)
+                else:
+                    why = Text(
+                        "{one} and {other} cannot be subtracted: their units differ", one=one, other=other
+                    )
+                if PURE in (left.dimension, right.dimension):
+                    unit = (left if right.dimension == PURE else right).dimension.unit
+                    why = Text(
+                        "{error}; a number has a unit as in 5 [{unit}]",
+                        error=why,
+                        unit=unit.format(unit=self._length),
+                    )
+                raise InputError(why)
             left = self._joined(sign, left.dimension, left, right)._replace(
                 unwrapped=all(part.unwrapped or not part.turns for part in (left, right))
                 and (left.turns or right.turns)
             )
         return left
-
-    def _hint(self, left: _Part, right: _Part) -> str:
-        unit = (left if right.dimension == PURE else right).dimension.unit.format(unit=self._length)
-        return f"; a number has a unit as in 5 [{unit}]"
 
     def _product(self) -> _Part:
         left = self._signed()
@@ -268,8 +290,11 @@ class _Reader:
         self._depth += 1
         if self._depth > MAX_DEPTH:
             raise InputError(
-                f"{_short(self._text)}: there are more than {MAX_DEPTH} brackets, signs or exponents inside "
-                "each other"
+                Text(
+                    "{formula}: there are more than {most} brackets, signs or exponents inside each other",
+                    formula=_short(self._text),
+                    most=MAX_DEPTH,
+                )
             )
         begin = self._next.begin
         if self._takes("-"):
@@ -287,10 +312,18 @@ class _Reader:
         exponent = self._signed()
         shown = _short(self._text[exponent.begin : exponent.end])
         if exponent.measured or exponent.dimension != PURE:
-            raise InputError(f"the exponent {shown} is not a pure number without a quantity")
+            raise InputError(
+                Text("the exponent {shown} is not a pure number without a quantity", shown=shown)
+            )
         power = Formula(exponent.node, (), PURE, False).value(())
         if not abs(power) <= MAX_EXPONENT or 2.0 * power != round(2.0 * power):
-            raise InputError(f"the exponent {shown} is not a multiple of 1/2 up to {MAX_EXPONENT}")
+            raise InputError(
+                Text(
+                    "the exponent {shown} is not a multiple of 1/2 up to {most}",
+                    shown=shown,
+                    most=MAX_EXPONENT,
+                )
+            )
         try:
             dimension = PURE.times(base.dimension, power)
         except InputError as error:
@@ -326,12 +359,18 @@ class _Reader:
             value, end = value * factor, self._next.end
             self._at += 1
         if not math.isfinite(value):
-            raise InputError(f"{token.text} is not a finite number")
+            raise InputError(Text("{number} is not a finite number", number=token.text))
         return _Part(Number(value), dimension, token.begin, end)
 
     def _function(self, token: _Token) -> _Part:
         if token.text not in _ARGUMENTS:
-            raise InputError(f"{token.text!r} is not a function: there are {', '.join(_ARGUMENTS)}")
+            raise InputError(
+                Text(
+                    "{name!r} is not a function: there are {known}",
+                    name=token.text,
+                    known=", ".join(_ARGUMENTS),
+                )
+            )
         self._at += 1
         parts = [self._sum()]
         while self._takes(","):
@@ -339,19 +378,33 @@ class _Reader:
         self._close()
         name, count = token.text, _ARGUMENTS[token.text]
         if len(parts) != count:
-            wanted = "one value" if count == 1 else "two values"
-            raise InputError(f"{name} is of {wanted}, and not of {len(parts)}")
+            given = len(parts)
+            raise InputError(
+                Text("{name} is of one value, and not of {count}", name=name, count=given)
+                if count == 1
+                else Text("{name} is of two values, and not of {count}", name=name, count=given)
+            )
         dimension = parts[0].dimension
         if name in ("sin", "cos"):
             if dimension != DEGREES:
                 raise InputError(
-                    f"{name} is of an angle, and not of {self._told(parts[0])}; a number is one as in 30 [°]"
+                    Text(
+                        "{name} is of an angle, and not of {value}; a number is one as in 30 [°]",
+                        name=name,
+                        value=self._told(parts[0]),
+                    )
                 )
             dimension = PURE
         elif name == "atan2":
             if dimension != parts[1].dimension:
-                both = " and ".join(map(self._told, parts))
-                raise InputError(f"atan2 is of two values in the same unit, and not of {both}")
+                one, other = map(self._told, parts)
+                raise InputError(
+                    Text(
+                        "atan2 is of two values in the same unit, and not of {one} and {other}",
+                        one=one,
+                        other=other,
+                    )
+                )
             dimension = DEGREES
         elif name == "sqrt":
             try:

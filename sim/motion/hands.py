@@ -21,6 +21,7 @@ from ..errors import InputError
 from ..model.state import Bools
 from ..model.system import System
 from ..scene.numbers import MAX_COORDINATE, MAX_SPEED
+from ..text import Text
 from .stability import quick_limit
 
 _TOO_MANY = 8e4
@@ -146,7 +147,7 @@ def within_bounds(to: tuple[float, float]) -> tuple[float, float]:
     """
     x, y = (float(c) for c in to)
     if not (abs(x) <= MAX_COORDINATE and abs(y) <= MAX_COORDINATE):
-        raise InputError(f"({x:g}, {y:g}) is not within ±{MAX_COORDINATE:g} px")
+        raise InputError(Text("({x:g}, {y:g}) is not within ±{most:g} px", x=x, y=y, most=MAX_COORDINATE))
     return x, y
 
 

@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.tables import SHORTEST_SQUARED, State
-from ..errors import InputError, SceneError
+from ..errors import InputError, SceneError, of_field
 from ..forces.air import still_air
 from ..forces.environment import is_surrounded
 from ..forces.joints import LAWS, NO_JOINTS
@@ -33,6 +33,7 @@ from ..scene.parts import AngularSpring, LinearSpring, constant_force
 from ..scene.types import AirLaw, Scene, is_loaded, is_muscular
 from ..scene.validate import validate
 from ..solve.steps.guard import GOOD
+from ..text import Text
 from .divergence import Divergence
 from .driving import Driver
 from .simulation import Simulation
@@ -103,9 +104,15 @@ def run_many(scenes: Iterable[Scene], seconds: float, every: int | None = None) 
         SceneError: a scene is not valid; the sentence says which.
     """
     if not 0.0 <= seconds <= 1e9:
-        raise InputError(f"run_many: {seconds:g} is not in the range 0..1e+09 s")
+        raise InputError(
+            Text("{where}: {seconds:g} is not in the range 0..1e+09 s", where="run_many", seconds=seconds)
+        )
     if every is not None and not (isinstance(every, int) and every >= 1):
-        raise InputError(f"run_many: every is {every}, but must be a whole number from 1")
+        raise InputError(
+            Text(
+                "{where}: every is {every}, but must be a whole number from 1", where="run_many", every=every
+            )
+        )
     scenes = list(scenes)
     shapes = _Shapes()
     groups: dict[_Shape, list[int]] = {}
@@ -114,7 +121,7 @@ def run_many(scenes: Iterable[Scene], seconds: float, every: int | None = None) 
         try:
             validate(scene)
         except SceneError as error:
-            raise SceneError(f"scenes[{i}]: {error}") from None
+            raise SceneError(of_field(f"scenes[{i}]", str(error))) from None
         shape = shapes.of(scene)
         if shape is not None:
             groups.setdefault(shape, []).append(i)

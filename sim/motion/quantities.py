@@ -15,13 +15,13 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Protocol, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..engine.tables import State
-from ..errors import InputError, did_you_mean
+from ..errors import InputError, Part, did_you_mean, no_part_of_scene, of_field
 from ..forces.all import WITH_ENERGY
 from ..forces.joints import JointsReference
 from ..forces.springs import SpringsReference
@@ -29,6 +29,7 @@ from ..model.loads import Loads
 from ..model.state import rest_lengths
 from ..model.system import System
 from ..scene.types import Scene
+from ..text import Text
 from .dimensions import Dimension, dimension_of
 from .divergence import Divergence
 from .energy import ENERGY_FIELDS, Energies
@@ -182,7 +183,13 @@ def quantity(name: str, scene: Scene) -> Quantity:
     """
     name = name.strip(" ")
     if len(name) > MAX_LENGTH:
-        raise InputError(f"a quantity is named in at most {MAX_LENGTH} letters, and not in {len(name)}")
+        raise InputError(
+            Text(
+                "a quantity is named in at most {most} letters, and not in {count}",
+                most=MAX_LENGTH,
+                count=len(name),
+            )
+        )
     if not _IS_FORMULA.search(name):
         return _named(name, scene)
     text = re.sub(" +", " ", name)
@@ -202,16 +209,32 @@ def _named(name: str, scene: Scene) -> Quantity:
     if of not in PARTS:
         parts = ", ".join(f"{part}0" if part in COUNTED else part for part in PARTS)
         raise InputError(
-            f"{name!r} is not a quantity: it begins with one of {parts}, and then a point"
-            + did_you_mean(of, PARTS)
+            Text(
+                "{name!r} is not a quantity: it begins with one of {parts}, and then a point{meant}",
+                name=name,
+                parts=parts,
+                meant=did_you_mean(of, PARTS),
+            )
         )
     kind = KINDS.get((of, what))
     if kind is None:
         meant = did_you_mean(what, PARTS[of])
-        raise InputError(f"{name!r} is not a quantity: {of} has {', '.join(PARTS[of])}{meant}")
+        raise InputError(
+            Text(
+                "{name!r} is not a quantity: {of} has {known}{meant}",
+                name=name,
+                of=of,
+                known=", ".join(PARTS[of]),
+                meant=meant,
+            )
+        )
     counted, is_some = of in COUNTED, which is not None and which.startswith("[")
     if of != "body" if is_some else counted == (which is None):
-        raise InputError(f"{name!r} is not a quantity: {of} {'needs a' if counted else 'has no'} number")
+        raise InputError(
+            Text("{name!r} is not a quantity: {of} needs a number", name=name, of=of)
+            if counted
+            else Text("{name!r} is not a quantity: {of} has no number", name=name, of=of)
+        )
     indices: tuple[int, ...] = ()
     whole = of
     if is_some:
@@ -227,8 +250,7 @@ def _named(name: str, scene: Scene) -> Quantity:
 
 def _check_part(name: str, of: str, index: int, scene: Scene) -> None:
     if index >= (count := COUNTED[of](scene)):
-        there = f"(0..{count - 1})" if count else f"(the scene has no {of}s)"
-        raise InputError(f"{name}: {of} {index} does not exist {there}")
+        raise InputError(of_field(name, no_part_of_scene(cast(Part, of), index, count)))
 
 
 def _some_masses(name: str, which: str, scene: Scene) -> tuple[int, ...]:
@@ -237,11 +259,20 @@ def _some_masses(name: str, which: str, scene: Scene) -> tuple[int, ...]:
     for part in which[1:-1].split(","):
         match = _RANGE.fullmatch(part)
         if match is None:
-            raise InputError(f"{name!r} is not a quantity: masses are named as in body[2,5..7]")
+            raise InputError(
+                Text("{name!r} is not a quantity: masses are named as in body[2,5..7]", name=name)
+            )
         first = int(match[1])
         last = int(match[2] or first)
         if last < first:
-            raise InputError(f"{name!r} is not a quantity: {first}..{last} goes backwards")
+            raise InputError(
+                Text(
+                    "{name!r} is not a quantity: {first}..{last} goes backwards",
+                    name=name,
+                    first=first,
+                    last=last,
+                )
+            )
         _check_part(name, "mass", last, scene)
         found.update(range(first, last + 1))
     return tuple(sorted(found))

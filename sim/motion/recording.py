@@ -13,6 +13,7 @@ from ..errors import InputError
 from ..scene.types import Scene
 from ..store.csv_text import csv_text
 from ..store.files import write_file
+from ..text import Text
 from .dimensions import IN_ASCII
 from .quantities import Moving, Quantity, quantity
 
@@ -45,7 +46,9 @@ class Recording:
     def __init__(self, scene: Scene, names: Iterable[str]) -> None:
         self._quantities = {q.name: q for q in (quantity(name, scene) for name in names)}
         if not self._quantities:
-            raise InputError("record: name at least one quantity, such as joint0.angle")
+            raise InputError(
+                Text("{where}: name at least one quantity, such as joint0.angle", where="record")
+            )
         self._rows: list[tuple[float, ...]] = []
         self._last = [math.nan] * len(self._quantities)
         self.units = {name: q.unit for name, q in self._quantities.items()}
@@ -57,7 +60,9 @@ class Recording:
         try:
             return self._columns[1 + list(self._quantities).index(name)]
         except ValueError:
-            raise InputError(f"{name!r} was not recorded, but {', '.join(self._quantities)}") from None
+            raise InputError(
+                Text("{name!r} was not recorded, but {known}", name=name, known=", ".join(self._quantities))
+            ) from None
 
     @property
     def time(self) -> Floats:

@@ -14,7 +14,7 @@ from ..compiling.compiler import for_energy, is_ready
 from ..engine.numerics.waves import EFFORTS, SINCE
 from ..engine.numerics.waves import KEYS as PAIRS
 from ..engine.tables import CONTROL_SCALE, CONTROL_SHIFT, Indices, State
-from ..errors import InputError
+from ..errors import InputError, no_part
 from ..forces.muscles import efforts
 from ..model.loads import LoadCalculator, Loads
 from ..model.state import Carried, damage_in, grips_of, rest_angles, steer_in
@@ -24,6 +24,7 @@ from ..scene.types import Anchor, Damage, Pose, Scene, steered_by
 from ..scene.validate import validate
 from ..settings import shift_rest_angles
 from ..solve.steps import guard
+from ..text import Text
 from .checkpoint import Checkpoint
 from .divergence import Divergence, explain
 from .energy import Energies, EnergyTracker
@@ -225,7 +226,7 @@ class Simulation:
         """
         self.track_energy(True)
         if self._tracker is None:
-            raise InputError("energy: its kernels are still being compiled")
+            raise InputError(Text("{where}: its kernels are still being compiled", where="energy"))
         return self._tracker.read()
 
     def track_energy(self, on: bool) -> bool:
@@ -257,7 +258,13 @@ class Simulation:
         held = frozenset(keys)
         unknown = sorted(map(str, held - KEYS))
         if unknown:
-            raise InputError(f"keys: {unknown[0]!r} is not one of up, down, left, right")
+            raise InputError(
+                Text(
+                    "{where}: {unknown!r} is not one of up, down, left, right",
+                    where="keys",
+                    unknown=unknown[0],
+                )
+            )
         self._keys = held
         self._steer()
 
@@ -363,7 +370,7 @@ class Simulation:
             if limit < 0:
                 return n
         if n < 0:
-            raise InputError(f"step: {n} is not a number of steps")
+            raise InputError(Text("{where}: {n} is not a number of steps", where="step", n=n))
         if self.divergence is not None or n == 0:
             return 0
         if self.plain:
@@ -381,7 +388,9 @@ class Simulation:
             The steps done.
         """
         if not 0.0 <= seconds <= 1e9:
-            raise InputError(f"advance: {seconds:g} is not in the range 0..1e+09 s")
+            raise InputError(
+                Text("{where}: {seconds:g} is not in the range 0..1e+09 s", where="advance", seconds=seconds)
+            )
         self._time_remainder += seconds
         # A hair more, so that ten times 0.0025 s are ten steps whatever the rounding.
         n = int(self._time_remainder / self.dt + 1e-9)
@@ -408,9 +417,17 @@ class Simulation:
         """
         recording = Recording(self._scene, quantities)
         if not 0.0 <= seconds <= 1e9:
-            raise InputError(f"record: {seconds:g} is not in the range 0..1e+09 s")
+            raise InputError(
+                Text("{where}: {seconds:g} is not in the range 0..1e+09 s", where="record", seconds=seconds)
+            )
         if not (isinstance(every, int) and every >= 1):
-            raise InputError(f"record: every is {every}, but must be a whole number from 1")
+            raise InputError(
+                Text(
+                    "{where}: every is {every}, but must be a whole number from 1",
+                    where="record",
+                    every=every,
+                )
+            )
         left = int(seconds / self.dt + 1e-9)  # a hair more, as in `advance`
         recording.add(self)
         between = recording.steps_between(self.dt, every)
@@ -469,7 +486,7 @@ class Simulation:
             InputError: it moves by NumPy until its kernels are compiled, or it has run away.
         """
         if self.plain or self.divergence is not None:
-            raise InputError("checkpoint: how this body goes on is not decided yet")
+            raise InputError(Text("{where}: how this body goes on is not decided yet", where="checkpoint"))
         return Checkpoint(self._scene, self._keys, self.time, self._motion.remembered())
 
     def resume(self, checkpoint: Checkpoint) -> None:
@@ -485,7 +502,9 @@ class Simulation:
         if checkpoint.scene is not self._scene or memory.damageable != self._motion.damageable or self.plain:
             self._install(Motion(checkpoint.scene, self._wait, damageable=memory.damageable))
         if self.plain:
-            raise InputError("resume: the kernels of this method are still being compiled")
+            raise InputError(
+                Text("{where}: the kernels of this method are still being compiled", where="resume")
+            )
         self.track_energy(False)
         self._motion.remember(memory)
         self._keys, self._time_remainder = checkpoint.keys, 0.0
@@ -589,13 +608,13 @@ class Simulation:
     def _existing_mass(self, mass: int) -> int:
         whole = isinstance(mass, (int, np.integer)) and not isinstance(mass, bool)
         if not (whole and 0 <= mass < self._system.body.masses):
-            raise InputError(f"mass {mass} does not exist (0..{self._system.body.masses - 1})")
+            raise InputError(no_part("mass", mass, self._system.body.masses))
         return int(mass)
 
     def _held_mass(self, mass: int) -> int:
         index = int(self._system.mass_index[self._existing_mass(mass)])
         if not self._hands.hold(mass):
-            raise InputError(f"mass {mass} is not held, so it cannot be moved")
+            raise InputError(Text("mass {mass} is not held, so it cannot be moved", mass=mass))
         return index
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ..errors import SceneError
+from ..text import Text
 from .parts import Beat
 from .recipes.creatures import Hand, Heart, Swimmer, Walker, Worm
 from .recipes.outlines import AirBalloon, Box, Polygon, WaterBalloon
@@ -43,16 +44,38 @@ def _maker(recipe: type[AnyRecipe], ordered: int = 0, **usual: Any) -> Callable[
     def make(*in_order: Any, **numbers: Any) -> Scene:
         numbers = {"name": name, **usual, **dict(zip(first, in_order, strict=False)), **numbers}
         if len(in_order) > ordered:
-            but = f", but the first {ordered} need none" if ordered else ""
             fields = recipe.__struct_fields__
             example = "masses" if not ordered and "masses" in fields else fields[ordered]
-            raise SceneError(f"{name}: numbers have names{but}, as in sim.{name}({example}={in_order[-1]!r})")
+            raise SceneError(
+                Text(
+                    "{name}: numbers have names, but the first {count} need none, as in "
+                    "sim.{name}({example}={last!r})",
+                    name=name,
+                    count=ordered,
+                    example=example,
+                    last=in_order[-1],
+                )
+                if ordered
+                else Text(
+                    "{name}: numbers have names, as in sim.{name}({example}={last!r})",
+                    name=name,
+                    example=example,
+                    last=in_order[-1],
+                )
+            )
         of_recipe = {field: numbers[field] for field in recipe.__struct_fields__ if field in numbers}
         others = {field: value for field, value in numbers.items() if field not in of_recipe}
         unknown = next((field for field in others if field not in _OF_SCENES), None)
         if unknown is not None:
             known = ", ".join((*recipe.__struct_fields__, *_OF_SCENES))
-            raise SceneError(f"{unknown}: {name} has no such number; there are {known}")
+            raise SceneError(
+                Text(
+                    "{unknown}: {name} has no such number; there are {known}",
+                    unknown=unknown,
+                    name=name,
+                    known=known,
+                )
+            )
         return validate(Scene(**others, bodies=(recipe(**of_recipe),)))
 
     make.__name__ = make.__qualname__ = name

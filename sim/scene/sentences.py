@@ -10,16 +10,23 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin, get_typ
 
 import msgspec
 
+from ..errors import of_field, out_of_range
+from ..text import Text, number
 from .types import Scene
 
-_A = {float: "a number", int: "a whole number", str: "a text", bool: "true or false"}
+_A = {
+    float: Text("a number"),
+    int: Text("a whole number"),
+    str: Text("a text"),
+    bool: Text("true or false"),
+}
 """Names of Python types in messages."""
-_JSON = {NoneType: "null", list: "an array", dict: "an object"}
+_JSON = {NoneType: "null", list: Text("an array"), dict: Text("an object")}
 """Names of the other JSON values in messages about files."""
 
 _TYPES = {
-    "array": "an array", "object": "an object", "str": "a text", "int": "a whole number", "float": "a number",
-    "bool": "true or false", "null": "null",
+    "array": _JSON[list], "object": _JSON[dict], "str": _A[str], "int": _A[int], "float": _A[float],
+    "bool": _A[bool],
 }  # fmt: skip
 """Names of msgspec's types in messages."""
 
@@ -28,15 +35,47 @@ def _type_name(name: str) -> str:
     return _TYPES.get(name, name)
 
 
-_PHRASES: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
+def _any_of(names: list[str]) -> str:
+    """Return the names of msgspec's types as alternatives."""
+    said = _type_name(names[0])
+    for name in names[1:]:
+        said = Text("{one} or {other}", one=said, other=_type_name(name))
+    return said
+
+
+_MALFORMED: dict[str, Text] = {
+    said: said
+    for said in (
+        Text("JSON is malformed: invalid character"),
+        Text("JSON is malformed: invalid number"),
+        Text("JSON is malformed: invalid escape character in string"),
+        Text("JSON is malformed: expected ',' or ']'"),
+        Text("JSON is malformed: expected ',' or '}}'"),
+        Text("JSON is malformed: expected ':'"),
+        Text("JSON is malformed: expected '\"'"),
+        Text("JSON is malformed: trailing comma in array"),
+        Text("JSON is malformed: trailing comma in object"),
+        Text("JSON is malformed: trailing characters"),
+    )
+}
+"""Messages of msgspec about JSON that stay as they are."""
+
+
+_PHRASES: tuple[tuple[str, Callable[[re.Match[str]], str]], ...] = (
     (
-        r"^Expected `([\w |]+)`, got `(\w+)`",
-        lambda m: f"{' or '.join(map(_type_name, m[1].split(' | ')))} is expected, not {_type_name(m[2])}",
+        r"Expected `([\w |]+)`, got `(\w+)`",
+        lambda m: Text(
+            "{wanted} is expected, not {found}", wanted=_any_of(m[1].split(" | ")), found=_type_name(m[2])
+        ),
     ),
-    (r"^Input data was truncated", "it ends in the middle"),
-    (r"^maximum recursion depth exceeded.*", "it has too many objects within each other"),
-    (r"^Object missing required field (`.*`)", r"the field \1 is missing"),
-    (r"^Object contains unknown field (`.*`)", r"there is no field \1"),
+    (r"JSON is malformed: [^()]*[^() ]", lambda m: _MALFORMED.get(m[0], m[0])),
+    (r"Input data was truncated", lambda _: Text("it ends in the middle")),
+    (
+        r"maximum recursion depth exceeded.*",
+        lambda _: Text("it has too many objects within each other"),
+    ),
+    (r"Object missing required field (`.*`)", lambda m: Text("the field {field} is missing", field=m[1])),
+    (r"Object contains unknown field (`.*`)", lambda m: Text("there is no field {field}", field=m[1])),
 )
 """Messages of msgspec, and their replacements."""
 
@@ -44,16 +83,31 @@ _HUGE = 2**64
 """Whole numbers from this value on are not printed in messages."""
 
 
-def out_of_range(where: str, value: float, meta: msgspec.Meta) -> str:
+def _out_of_range(where: str, value: float, meta: msgspec.Meta) -> Text:
     """Return the sentence for a number outside the range of its annotation."""
+    low, high, unit = meta.ge, meta.le, unit_of(meta)
     if meta.lt is not None:
-        return f"{where}: {value!r} is not in the range {meta.ge:g}..{meta.lt - 1:g}"
-    if meta.gt is not None and meta.le is not None:
-        return f"{where}: {value:g} is not above {meta.gt:g} and at most {meta.le:g} {unit_of(meta)}".rstrip()
-    low = f"{meta.ge:g}" if meta.ge is not None else ""
-    high = f"{meta.le:g}" if meta.le is not None else ""
-    shown = f"{value:g}" if isinstance(value, float) else repr(value)
-    return f"{where}: {shown} is not in the range {low}..{high} {unit_of(meta)}".rstrip()
+        low, high = meta.ge, meta.lt - 1
+    elif meta.gt is not None and high is not None:
+        if not unit:
+            return Text(
+                "{where}: {value:g} is not above {low:g} and at most {high:g}",
+                where=where,
+                value=value,
+                low=meta.gt,
+                high=high,
+            )
+        return Text(
+            "{where}: {value:g} is not above {low:g} and at most {high:g} {unit}",
+            where=where,
+            value=value,
+            low=meta.gt,
+            high=high,
+            unit=unit,
+        )
+    shown = number(value) if isinstance(value, float) else value
+    least, most = ("" if end is None else number(end) for end in (low, high))
+    return out_of_range(where, shown, least, most, unit)
 
 
 def unit_of(meta: msgspec.Meta) -> str:
@@ -70,7 +124,8 @@ def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> s
         kind: the expected type.
     """
     reason, _, path = str(error).rpartition(" - at `$")
-    where = path.rstrip("`").lstrip(".") if reason else ""
+    # A field name in a file may contain line breaks; the sentence must not.
+    where = " ".join(path.rstrip("`").lstrip(".").split()) if reason else ""
     value: Any = found
     at = ""
     kind, meta = _split(kind, found)
@@ -96,15 +151,22 @@ def sentence(error: msgspec.ValidationError, found: Any, kind: Any = Scene) -> s
             return _about(where, value, kind, meta, found)
         if where and get_origin(kind) is tuple and Ellipsis not in get_args(kind):
             count = len(get_args(kind))
-            return f"{where}: {count} numbers are expected, as in [0, 0], not {_shown(value, found)}"
-    return f"{where}: {in_words(reason)}" if where else in_words(str(error))
+            return Text(
+                "{where}: {count} numbers are expected, as in [0, 0], not {found}",
+                where=where,
+                count=count,
+                found=_shown(value, found),
+            )
+    return of_field(where, in_words(reason)) if where else in_words(str(error))
 
 
 def in_words(reason: str) -> str:
     """Return a message of msgspec on one line and without the names of its types."""
     reason = " ".join(reason.split())
     for pattern, words in _PHRASES:
-        reason = re.sub(pattern, words, reason)
+        if match := re.match(pattern, reason):
+            rest = reason[match.end() :]
+            return Text("{said}{rest}", said=words(match), rest=rest) if rest else words(match)
     return reason
 
 
@@ -123,36 +185,65 @@ def difference(value: Any, wanted: Any, where: str = "") -> str:
 def _about(where: str, value: Any, kind: Any, meta: msgspec.Meta | None, found: Any) -> str:
     """Return the sentence for a value that its type does not allow."""
     if isinstance(value, int) and abs(value) >= _HUGE:
-        return f"{where}: a whole number as large as this is not allowed"
+        return Text("{where}: a whole number as large as this is not allowed", where=where)
     if get_origin(kind) is Literal:
-        return f"{where}: {_shown(value, found)} is not one of {', '.join(map(str, get_args(kind)))}"
+        known = ", ".join(map(str, get_args(kind)))
+        return Text(
+            "{where}: {found} is not one of {known}", where=where, found=_shown(value, found), known=known
+        )
     if isinstance(value, (int, float)) and not isinstance(value, bool) and kind in (float, type(value)):
         if not math.isfinite(value):
-            return f"{where}: {value:.6g} is not a finite number"
+            return Text("{where}: {value:g} is not a finite number", where=where, value=value)
         if meta is not None:
-            return out_of_range(where, value, meta)
+            return _out_of_range(where, value, meta)
     if isinstance(value, str) and kind is str and meta is not None:
         if not value:
-            return f"{where}: it must not be empty"
-        return f"{where}: {len(value)} characters are more than {meta.max_length}"
+            return Text("{where}: it must not be empty", where=where)
+        return Text(
+            "{where}: {count} characters are more than {most}",
+            where=where,
+            count=len(value),
+            most=meta.max_length,
+        )
     if isinstance(value, (list, tuple)) and get_origin(kind) is tuple and meta is not None:
         if meta.max_length is not None and len(value) > meta.max_length:
-            return f"{where}: {len(value)} entries are more than {meta.max_length}"
+            return Text(
+                "{where}: {count} entries are more than {most}",
+                where=where,
+                count=len(value),
+                most=meta.max_length,
+            )
         if meta.min_length is not None and len(value) < meta.min_length:
-            return f"{where}: {len(value)} entries are fewer than {meta.min_length}"
+            return Text(
+                "{where}: {count} entries are fewer than {least}",
+                where=where,
+                count=len(value),
+                least=meta.min_length,
+            )
     return _expected(where, kind, value, found)
 
 
 def _expected(where: str, kind: Any, value: Any, found: Any = None) -> str:
     """Return the sentence for a value of a wrong type; `found` as for `sentence`."""
     if get_origin(kind) is tuple and Ellipsis not in get_args(kind):
-        return f"{where}: {len(get_args(kind))} numbers are expected, as in a tuple"
+        return Text(
+            "{where}: {count} numbers are expected, as in a tuple", where=where, count=len(get_args(kind))
+        )
     if get_origin(kind) is Union:
         names = ", ".join(struct.__name__ for struct in get_args(kind))
-        return f"{where}: one of {names} is expected, not {_shown(value, found)}"
+        return Text(
+            "{where}: one of {names} is expected, not {found}",
+            where=where,
+            names=names,
+            found=_shown(value, found),
+        )
     name = (get_origin(kind) or kind).__name__
-    a = _A.get(kind) or f"{'an' if name[0] in 'AEIO' else 'a'} {name}"
-    return f"{where}: {a} is expected, not {_shown(value, found)}"
+    wanted = _A.get(kind) or (
+        Text("an {name}", name=name) if name[0] in "AEIO" else Text("a {name}", name=name)
+    )
+    return Text(
+        "{where}: {wanted} is expected, not {found}", where=where, wanted=wanted, found=_shown(value, found)
+    )
 
 
 def _shown(value: Any, found: Any) -> str:

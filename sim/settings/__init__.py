@@ -14,7 +14,7 @@ from typing import Any, get_args
 
 import msgspec
 
-from ..errors import SceneError, SettingError, did_you_mean
+from ..errors import SceneError, SettingError, did_you_mean, of_field, out_of_range
 from ..forces.joints import LAWS
 from ..forces.motors import has_motors
 from ..model.system import joint_stiffness
@@ -39,6 +39,7 @@ from ..scene.types import (
 )
 from ..scene.validate import validate
 from ..solve.registry import METHODS
+from ..text import Text, number
 from .air import with_air_law
 from .numbers import Access, at, largest, replaced, wind_direction, wind_speed, with_wind
 from .recipes import Setting, recipe_settings, settings_of_recipe, turned
@@ -69,18 +70,26 @@ def setting_of(scene: Scene, key: str) -> Setting:
     if key in SETTINGS:
         raise SettingError(no_use(key, scene))
     if key in CHOICES:
-        raise SettingError(f"{key}: this takes a name: {', '.join(CHOICES[key].options)}")
-    known = ", ".join(applying) or "none for this scene"
+        raise SettingError(
+            Text("{key}: this takes a name: {known}", key=key, known=", ".join(CHOICES[key].options))
+        )
+    known = ", ".join(applying) or Text("none for this scene")
     meant = did_you_mean(key, (*applying, *SETTINGS, *CHOICES))
-    raise SettingError(f"{key}: there is no such setting{meant}; there are {known}")
+    raise SettingError(
+        Text("{key}: there is no such setting{meant}; there are {known}", key=key, meant=meant, known=known)
+    )
 
 
 def no_use(key: str, scene: Scene) -> str:
     """Return why a setting or choice has no effect on a scene, in a sentence without a full stop."""
     if key == "tolerance":
         method = METHODS[scene.integrator.method]
-        return f"{key}: the method {method.name} has a fixed step, so it takes no tolerance"
-    return f"{key}: the scene {scene.name!r} has no use for it"
+        return Text(
+            "{key}: the method {method} has a fixed step, so it takes no tolerance",
+            key=key,
+            method=method.name,
+        )
+    return Text("{key}: the scene {scene!r} has no use for it", key=key, scene=scene.name)
 
 
 @dataclass(frozen=True)
@@ -114,12 +123,20 @@ def set_choice(scene: Scene, key: str, value: str) -> Scene:
     """
     choice = CHOICES.get(key)
     if choice is None:
-        raise SettingError(f"{key}: there is no such choice; there are {', '.join(CHOICES)}")
+        raise SettingError(
+            Text("{key}: there is no such choice; there are {known}", key=key, known=", ".join(CHOICES))
+        )
     if not choice.applies(scene):
         raise SettingError(no_use(key, scene))
     if value not in choice.options:
         raise SettingError(
-            f"{key}: {value!r} is not one of {', '.join(choice.options)}{did_you_mean(value, choice.options)}"
+            Text(
+                "{key}: {value!r} is not one of {known}{meant}",
+                key=key,
+                value=value,
+                known=", ".join(choice.options),
+                meant=did_you_mean(value, choice.options),
+            )
         )
     return validate(choice.write(scene, value))
 
@@ -139,20 +156,27 @@ def set_value(scene: Scene, key: str, value: float, time: float = 0.0) -> Scene:
     """
     setting = setting_of(scene, key)
     if key == "template" and value not in TEMPLATES:
-        raise SettingError(f"template: {value:g} is not one of {', '.join(map(str, TEMPLATES))}")
+        raise SettingError(
+            Text(
+                "{where}: {found} is not one of {known}",
+                where=key,
+                found=number(value),
+                known=", ".join(map(str, TEMPLATES)),
+            )
+        )
     if not setting.low <= value <= setting.high:
         raise SettingError(
-            f"{key}: {value:g} is not in the range {setting.low:g}..{setting.high:g} {setting.unit}".rstrip()
+            out_of_range(key, number(value), number(setting.low), number(setting.high), setting.unit)
         )
     if setting.integer and value != int(value):
-        raise SettingError(f"{key}: {value:g} is not a whole number")
+        raise SettingError(Text("{where}: {value:g} is not a whole number", where=key, value=value))
     try:
         new = setting.write(scene, int(value) if setting.integer else float(value))
         if key == "tempo" and scene.beat:
             new = msgspec.structs.replace(new, beat=scene.beat.at_tempo(float(value), time))
         return validate(new)
     except SceneError as error:
-        raise SettingError(f"{key}: {error}") from None
+        raise SettingError(of_field(key, str(error))) from None
 
 
 def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
@@ -173,7 +197,9 @@ def apply_assignments(scene: Scene, assignments: Sequence[str]) -> Scene:
         if not equals or not math.isfinite(value):
             if equals:
                 setting_of(scene, key.strip())  # a name that is unknown is said first
-            raise SettingError(f"--set {assignment}: KEY=VALUE with a finite number is expected")
+            raise SettingError(
+                Text("--set {assignment}: KEY=VALUE with a finite number is expected", assignment=assignment)
+            )
         scene = set_value(scene, key.strip(), value)
     return scene
 
@@ -209,7 +235,7 @@ def scene_of_run(scene: Scene, number: int) -> Scene:
 def _step(scene: Scene, number: int) -> Step:
     steps = scene.lesson.steps if scene.lesson else ()
     if not 0 <= number < len(steps):
-        raise SettingError(f"lesson.steps: step {number} does not exist")
+        raise SettingError(Text("{where}: step {number} does not exist", where="lesson.steps", number=number))
     return steps[number]
 
 
@@ -218,7 +244,7 @@ def _applied(scene: Scene, assignments: Sequence[str], where: str) -> Scene:
         try:
             scene = apply_assignments(scene, (assignment,))
         except SettingError as error:
-            raise SettingError(f"{where}[{i}]: {error}") from None
+            raise SettingError(of_field(f"{where}[{i}]", str(error))) from None
     return scene
 
 
@@ -231,7 +257,11 @@ def _pulled(scene: Scene, pulls: Sequence[Pull], where: str) -> Scene:
     positions = list(pose.positions)
     for i, pull in enumerate(pulls):
         if pull.mass >= len(positions):
-            raise SettingError(f"{where}[{i}].mass: mass {pull.mass} does not exist any more")
+            raise SettingError(
+                Text(
+                    "{where}: mass {mass} does not exist any more", where=f"{where}[{i}].mass", mass=pull.mass
+                )
+            )
         x, y = positions[pull.mass]
         positions[pull.mass] = x + pull.by[0], y + pull.by[1]
     return msgspec.structs.replace(scene, pose=msgspec.structs.replace(pose, positions=tuple(positions)))
@@ -242,7 +272,11 @@ def _led(scene: Scene, leads: Sequence[Lead], where: str) -> Scene:
     anchors = {anchor.mass: anchor for anchor in scene.anchors}
     for i, lead in enumerate(leads):
         if lead.mass >= len(scene.masses):
-            raise SettingError(f"{where}[{i}].mass: mass {lead.mass} does not exist any more")
+            raise SettingError(
+                Text(
+                    "{where}: mass {mass} does not exist any more", where=f"{where}[{i}].mass", mass=lead.mass
+                )
+            )
         anchors[lead.mass] = Anchor(mass=lead.mass, circle=lead.circle)
     return msgspec.structs.replace(scene, bodies=(), links=(), anchors=tuple(anchors.values()))
 
@@ -252,10 +286,16 @@ def _with_muscles(scene: Scene, muscles: Sequence[RunMuscle], where: str) -> Sce
     joints = list(scene.angular_springs)
     for i, one in enumerate(muscles):
         if one.joint >= len(joints):
-            raise SettingError(f"{where}[{i}].joint: joint {one.joint} does not exist any more")
+            raise SettingError(
+                Text(
+                    "{where}: joint {joint} does not exist any more",
+                    where=f"{where}[{i}].joint",
+                    joint=one.joint,
+                )
+            )
         joints[one.joint] = msgspec.structs.replace(joints[one.joint], muscle=one.muscle or msgspec.UNSET)
     if scene.beat is msgspec.UNSET:
-        raise SettingError(f"{where}: the scene has no beat that muscles could follow")
+        raise SettingError(Text("{where}: the scene has no beat that muscles could follow", where=where))
     return msgspec.structs.replace(scene, bodies=(), links=(), angular_springs=tuple(joints))
 
 

@@ -20,13 +20,14 @@ from typing import Any
 import msgspec
 import platformdirs
 
-from ..errors import InputError, SceneError, did_you_mean
+from ..errors import InputError, SceneError, did_you_mean, of_field
 from ..scene.numbers import of_python
 from ..scene.sentences import in_words, sentence
 from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
 from ..scene.validate import consistent, validate
+from ..text import Text
 from .link import link_data, unpack
-from .places import as_utf8, infinite_number, line_and_column, place_of, repeated_key
+from .places import as_utf8, infinite_number, line_and_column, place_of, repeated_key, too_large
 
 MAX_FILE_BYTES = 5_000_000
 """Largest size of a scene file that is read or written, bytes."""
@@ -128,28 +129,45 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     """
     if len(data) > MAX_FILE_BYTES:
         raise SceneError(
-            f"{source}: {len(data)} bytes are more than the {MAX_FILE_BYTES} that a scene may have"
+            Text(
+                "{source}: {count} bytes are more than the {most} that a scene may have",
+                source=source,
+                count=len(data),
+                most=MAX_FILE_BYTES,
+            )
         )
     try:
         data = as_utf8(data)
     except UnicodeError as error:
-        raise SceneError(f"{source}: {error if places else 'this is not a JSON file'}") from None
+        why = str(error) if places else Text("this is not a JSON file")
+        raise SceneError(of_field(source, why)) from None
     try:
         raw = msgspec.json.decode(data)
     except (msgspec.DecodeError, RecursionError) as error:
         if isinstance(error, msgspec.ValidationError) and (number := infinite_number(data)):
-            raise SceneError(f"{source}: {number[0][:40]} is too large for a number ({number[1]})") from None
-        raise SceneError(f"{source}: {_why_no_json(str(error), data)}") from None
+            why = too_large(number)
+        else:
+            why = _why_no_json(str(error), data)
+        raise SceneError(of_field(source, why)) from None
     if again := repeated_key(data):
-        place = f" ({again[1]})" if places else ""
-        raise SceneError(f"{source}: the key {again[0][:60]!r} stands twice in one object{place}")
+        why = Text("the key {key!r} stands twice in one object", key=again[0][:60])
+        if places:
+            why = Text("{error} ({place})", error=why, place=again[1])
+        raise SceneError(of_field(source, why))
     if not isinstance(raw, dict):
-        raise SceneError(f"{source}: a scene is a JSON object, with fields such as name and masses")
+        raise SceneError(
+            Text("{source}: a scene is a JSON object, with fields such as name and masses", source=source)
+        )
     version = raw.get("format")
     if isinstance(version, int) and version > FORMAT_VERSION:
         raise SceneError(
-            f"{source}: format: version {str(version)[:20]} is newer than {FORMAT_VERSION}, the newest "
-            "that this softrod reads; a newer softrod can open it"
+            Text(
+                "{where}: version {version} is newer than {newest}, the newest that this "
+                "softrod reads; a newer softrod can open it",
+                where=f"{source}: format",
+                version=str(version)[:20],
+                newest=FORMAT_VERSION,
+            )
         )
     if version == 1 and not isinstance(version, bool):
         raw = _from_format_1(raw)
@@ -162,15 +180,15 @@ def decode_scene(data: bytes, source: str, places: bool = True) -> Scene:
     try:
         return consistent(msgspec.convert(raw, Scene))
     except msgspec.ValidationError as error:
-        # A field name in the file may contain line breaks; the message must not.
-        reason = " ".join(sentence(error, raw).split())
+        why = sentence(error, raw)
     except SceneError as error:
-        reason = str(error)
-    if one_rope:
-        reason = re.sub(r"^bodies(\[0\])?(?=[.:])", "rope", reason)
-    path = re.match(r"\w[\w.\[\]]*(?=: )", reason)
-    place = place_of(data, path[0]) if path and places else ""
-    raise SceneError(f"{source}: {reason} ({place})" if place else f"{source}: {reason}")
+        why = str(error)
+    if one_rope and isinstance(why, Text) and isinstance(where := why.parts.get("where"), str):
+        why = why.with_parts(where=re.sub(r"^bodies(\[0\])?(?=\.|$)", "rope", where))
+    path = re.match(r"\w[\w.\[\]]*(?=: )", why)
+    if path and places and (place := place_of(data, path[0])):
+        why = Text("{error} ({place})", error=why, place=place)
+    raise SceneError(of_field(source, why))
 
 
 _NO_NUMBER = re.compile(rb'"(?:[^"\\]|\\.)*"|(-?(?:NaN|Infinity|inf|nan)\b)')
@@ -180,16 +198,23 @@ _NO_NUMBER = re.compile(rb'"(?:[^"\\]|\\.)*"|(-?(?:NaN|Infinity|inf|nan)\b)')
 def _why_no_json(reason: str, data: bytes) -> str:
     """Explain why a file is not JSON."""
     if not data.strip():
-        return "the file is empty"
+        return Text("the file is empty")
     for match in _NO_NUMBER.finditer(data):
         if match[1]:
-            return f"{match[1].decode()} is no number that JSON has ({line_and_column(data, match.start(1))})"
-    return f"this is not a JSON file ({in_words(_with_line(reason, data))})"
+            return Text(
+                "{number} is no number that JSON has ({place})",
+                number=match[1].decode(),
+                place=line_and_column(data, match.start(1)),
+            )
+    return Text("this is not a JSON file ({error})", error=_with_line(reason, data))
 
 
 def _with_line(reason: str, data: bytes) -> str:
     """Explain an error in a file's JSON, giving a line instead of a byte."""
-    return re.sub(r"byte (\d+)", lambda found: line_and_column(data, int(found[1])), reason)
+    match = re.fullmatch(r"(.*) \(byte (\d+)\)", reason)
+    if match is None:
+        return in_words(reason)
+    return Text("{error} ({place})", error=in_words(match[1]), place=line_and_column(data, int(match[2])))
 
 
 RETIRED = {"dopri5": "adams", "dop853": "adams"}
@@ -227,7 +252,7 @@ def decode_link(data: str) -> Scene:
     Raises:
         SceneError: one sentence that says what is wrong.
     """
-    return decode_scene(unpack(data, MAX_FILE_BYTES), "the link", places=False)
+    return decode_scene(unpack(data, MAX_FILE_BYTES), Text("the link"), places=False)
 
 
 # ------------------------------------------------------------------------- files
@@ -241,10 +266,18 @@ def read_scene(path: Path) -> Scene:
         with path.open("rb") as file:
             data = file.read(MAX_FILE_BYTES + 1)
     except (OSError, ValueError) as error:  # ValueError: not a possible file name
-        reason = getattr(error, "strerror", None) or error
-        raise SceneError(f"{str(path)!r}: the file cannot be read ({reason})") from None
+        reason = getattr(error, "strerror", None) or str(error)
+        raise SceneError(
+            Text("{path!r}: the file cannot be read ({reason})", path=str(path), reason=reason)
+        ) from None
     if len(data) > MAX_FILE_BYTES:
-        raise SceneError(f"{path}: the file is larger than the {MAX_FILE_BYTES} bytes that a scene may have")
+        raise SceneError(
+            Text(
+                "{path}: the file is larger than the {most} bytes that a scene may have",
+                path=str(path),
+                most=MAX_FILE_BYTES,
+            )
+        )
     return decode_scene(data, str(path))
 
 
@@ -270,7 +303,12 @@ def load_scene(name_or_path: str | os.PathLike[str]) -> Scene:
             return read_scene(candidate)
     known = [info.name for info in list_scenes()]
     raise SceneError(
-        f"there is no scene called {text!r}{did_you_mean(text, known)}; there are {', '.join(known)}"
+        Text(
+            "there is no scene called {name!r}{meant}; there are {known}",
+            name=text,
+            meant=did_you_mean(text, known),
+            known=", ".join(known),
+        )
     )
 
 
@@ -282,7 +320,14 @@ def save_scene(scene: Scene, path: str | os.PathLike[str]) -> None:
     """
     data = encode_scene(scene)
     if len(data) > MAX_FILE_BYTES:
-        raise SceneError(f"{path}: the scene takes {len(data)} bytes, more than the {MAX_FILE_BYTES} allowed")
+        raise SceneError(
+            Text(
+                "{path}: the scene takes {count} bytes, more than the {most} allowed",
+                path=str(path),
+                count=len(data),
+                most=MAX_FILE_BYTES,
+            )
+        )
     try:
         write_file(Path(path), data)
     except InputError as error:
@@ -330,7 +375,13 @@ def write_file(path: Path, data: bytes) -> None:
     try:
         write_atomically(path, data)
     except OSError as error:
-        raise InputError(f"{path}: the file cannot be written ({error.strerror or error})") from None
+        raise InputError(
+            Text(
+                "{path}: the file cannot be written ({reason})",
+                path=str(path),
+                reason=error.strerror or str(error),
+            )
+        ) from None
 
 
 def take_out(newest: Iterable[Path], most: int, most_bytes: int) -> None:
@@ -385,11 +436,15 @@ def safe_name(name: str) -> str:
     text = re.sub(r"(?i)\.json$", "", unicodedata.normalize("NFKC", name).strip())
     text = re.sub(r"[^\w\-. '’&(),!+]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
     if not text or re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text):
-        raise SceneError(f"{name!r} cannot be the name of a scene; use letters, digits and spaces")
+        raise SceneError(
+            Text("{name!r} cannot be the name of a scene; use letters, digits and spaces", name=name)
+        )
     if len(text.encode()) > 200:
-        raise SceneError(f"{name!r} is too long for the name of a scene")
+        raise SceneError(Text("{name!r} is too long for the name of a scene", name=name))
     if is_built_in(text):
-        raise SceneError(f"{text!r} is a built-in preset, which cannot be overwritten; choose another name")
+        raise SceneError(
+            Text("{name!r} is a built-in preset, which cannot be overwritten; choose another name", name=text)
+        )
     return text
 
 
@@ -423,6 +478,12 @@ def save_user_scene(scene: Scene, name: str, folder: Path | None = None) -> str:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise SceneError(f"{path.parent}: the folder cannot be made ({error.strerror or error})") from None
+        raise SceneError(
+            Text(
+                "{folder}: the folder cannot be made ({reason})",
+                folder=str(path.parent),
+                reason=error.strerror or str(error),
+            )
+        ) from None
     save_scene(msgspec.structs.replace(scene, name=path.stem, title=""), path)
     return path.stem

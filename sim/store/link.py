@@ -18,6 +18,7 @@ from ..errors import SceneError
 from ..scene.numbers import of_python
 from ..scene.types import BODY_FIELDS, FORMAT_VERSION, Scene
 from ..scene.validate import validate
+from ..text import Text
 
 PACKING = 1
 """Number of the packing format of this release; later ones are refused."""
@@ -33,7 +34,7 @@ _DATA = re.compile(r"(\d{1,6})\.([A-Za-z0-9_-]+)")
 _BY_MAIL = re.compile(r"=\r?\n|[\s\u200b\ufeff]+|[.,;:!?)\]>\"']+$")
 """Matches what mail programs and sentences add to a link: line breaks, with = in quoted-printable text, and
 brackets and full stops after it."""
-_BROKEN = "the link is broken: a part of it is missing or was changed"
+_BROKEN = Text("the link is broken: a part of it is missing or was changed")
 
 
 def link_data(text: str) -> str | None:
@@ -45,7 +46,10 @@ def link_data(text: str) -> str | None:
     match = _LINK.fullmatch(text.strip())
     if match is not None and match[2] is None:
         raise SceneError(
-            f"the link {match[1][:200]} has no # with a scene after it; on a command line, put it in quotes"
+            Text(
+                "the link {link} has no # with a scene after it; on a command line, put it in quotes",
+                link=match[1][:200],
+            )
         )
     return match[2] if match else None
 
@@ -65,8 +69,13 @@ def pack_scene(scene: Scene) -> str:
     data = f"{PACKING}.{base64.urlsafe_b64encode(packed).decode().rstrip('=')}"
     if len(data) > MAX_LINK:
         raise SceneError(
-            f"a link to {scene.name!r} would have {len(data)} characters, more than the {MAX_LINK} allowed; "
-            "send the scene as a file"
+            Text(
+                "a link to {scene!r} would have {count} characters, more than the {most} "
+                "allowed; send the scene as a file",
+                scene=scene.name,
+                count=len(data),
+                most=MAX_LINK,
+            )
         )
     return data
 
@@ -82,18 +91,39 @@ def unpack(data: str, most: int) -> bytes:
         SceneError: one sentence that says what is wrong.
     """
     if len(data) > MAX_LINK:
-        raise SceneError(f"the link has {len(data)} characters, more than the {MAX_LINK} allowed")
+        raise SceneError(
+            Text(
+                "the link has {count} characters, more than the {most} allowed",
+                count=len(data),
+                most=MAX_LINK,
+            )
+        )
     match = _DATA.fullmatch(_BY_MAIL.sub("", data))
     if match is None:
-        raise SceneError(f"{_BROKEN}; a link to a scene ends with #{PACKING}. and letters, digits, - and _")
+        raise SceneError(
+            Text(
+                "the link is broken: a part of it is missing or was changed; a link to a scene ends with "
+                "#{newest}. and letters, digits, - and _",
+                newest=PACKING,
+            )
+        )
     packing = int(match[1])
     if packing > PACKING:
         raise SceneError(
-            f"the link is of format {packing}, newer than {PACKING}, the newest that this softrod reads; a "
-            "newer softrod can open it"
+            Text(
+                "the link is of format {packing}, newer than {newest}, the newest that this "
+                "softrod reads; a newer softrod can open it",
+                packing=packing,
+                newest=PACKING,
+            )
         )
     if packing < 1:
-        raise SceneError(f"{_BROKEN}; there is no format {packing}")
+        raise SceneError(
+            Text(
+                "the link is broken: a part of it is missing or was changed; there is no format {packing}",
+                packing=packing,
+            )
+        )
     letters = match[2]
     try:
         packed = base64.b64decode(letters + "=" * (-len(letters) % 4), b"-_", validate=True)
@@ -103,7 +133,13 @@ def unpack(data: str, most: int) -> bytes:
     except (binascii.Error, zlib.error):
         raise SceneError(_BROKEN) from None
     if len(found) > most:
-        raise SceneError(f"the link: unpacked it has more than the {most} bytes that a scene may have")
+        raise SceneError(
+            Text(
+                "{where}: unpacked it has more than the {most} bytes that a scene may have",
+                where=Text("the link"),
+                most=most,
+            )
+        )
     if not unpacking.eof or unpacking.unused_data:
         raise SceneError(_BROKEN)
     return found

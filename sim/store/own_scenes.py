@@ -13,6 +13,7 @@ import time
 from pathlib import Path
 
 from ..errors import SceneError
+from ..text import Text
 from .files import read_scene, save_user_scene, take_out, user_folder, user_path
 
 MAX_IN_TRASH, MAX_TRASH_BYTES = 50, 50_000_000
@@ -40,7 +41,9 @@ def rename_user_scene(name: str, wanted: str, folder: Path | None = None) -> str
         if new == old:
             return old.stem
         if new.exists():
-            raise SceneError(f"there is a scene called {new.stem!r} already; choose another name")
+            raise SceneError(
+                Text("there is a scene called {name!r} already; choose another name", name=new.stem)
+            )
         used = save_user_scene(read_scene(old), wanted, folder)
         _remove(old)
         return used
@@ -77,7 +80,9 @@ def trash_user_scene(name: str, folder: Path | None = None) -> str:
             # Their names begin with the time of deletion.
             take_out(sorted(trash.glob("*.json"), reverse=True), MAX_IN_TRASH, MAX_TRASH_BYTES)
         except OSError as error:
-            raise SceneError(f"{name!r} cannot be deleted ({error.strerror or error})") from None
+            raise SceneError(
+                Text("{name!r} cannot be deleted ({reason})", name=name, reason=error.strerror or str(error))
+            ) from None
         return trashed.name
 
 
@@ -91,13 +96,19 @@ def restore_user_scene(trashed: str, folder: Path | None = None) -> str:
     path = trash_folder(folder) / trashed
     with _one_at_a_time:
         if match is None or path.name != trashed or not path.is_file():
-            raise SceneError("that scene is no longer in the trash")
+            raise SceneError(Text("that scene is no longer in the trash"))
         name = _free_name(match[1], folder)
         if name == match[1]:
             try:
                 path.rename(user_path(name, folder))
             except OSError as error:
-                raise SceneError(f"{name!r} cannot be brought back ({error.strerror or error})") from None
+                raise SceneError(
+                    Text(
+                        "{name!r} cannot be brought back ({reason})",
+                        name=name,
+                        reason=error.strerror or str(error),
+                    )
+                ) from None
             return name
         used = save_user_scene(read_scene(path), name, folder)
         _remove(path)
@@ -115,4 +126,6 @@ def _remove(path: Path) -> None:
     try:
         path.unlink()
     except OSError as error:
-        raise SceneError(f"{path.name!r} cannot be deleted ({error.strerror or error})") from None
+        raise SceneError(
+            Text("{name!r} cannot be deleted ({reason})", name=path.name, reason=error.strerror or str(error))
+        ) from None

@@ -11,6 +11,7 @@ from typing import Any
 import msgspec
 
 from ..scene.sentences import in_words, sentence
+from ..text import Text
 
 _SPACE = re.compile(r"[ \t\n\r]*")
 _STEP = re.compile(r"(\w+)|\[(\d+)\]")
@@ -43,7 +44,11 @@ def as_utf8(data: bytes) -> bytes:
     except UnicodeDecodeError as error:
         line = text[: error.start].decode(encoding, "replace").count("\n") + 1
         raise UnicodeError(
-            f"line {line}: the text is not in {encoding}; save the file with the encoding UTF-8"
+            Text(
+                "line {line}: the text is not in {encoding}; save the file with the encoding UTF-8",
+                line=line,
+                encoding=encoding,
+            )
         ) from None
     return text if encoding == "UTF-8" else decoded.encode("utf-8", "surrogatepass")
 
@@ -90,7 +95,11 @@ def _is_infinite(number: bytes) -> bool:
 def line_and_column(data: bytes, at: int) -> str:
     """Describe the place of a byte in words."""
     before = data[:at].decode("utf-8", "replace")
-    return f"line {before.count(chr(10)) + 1}, column {len(before) - before.rfind(chr(10))}"
+    return _place(before.count("\n") + 1, len(before) - before.rfind("\n"))
+
+
+def _place(line: int, column: int) -> Text:
+    return Text("line {line}, column {column}", line=line, column=column)
 
 
 def place_of(data: bytes, path: str) -> str:
@@ -113,7 +122,7 @@ def place_of(data: bytes, path: str) -> str:
         return ""  # Python's JSON parser is stricter than msgspec
     if found == begin:
         return ""
-    return f"line {text.count(chr(10), 0, found) + 1}, column {found - text.rfind(chr(10), 0, found)}"
+    return _place(text.count("\n", 0, found) + 1, found - text.rfind("\n", 0, found))
 
 
 def _skip(text: str, at: int) -> int:
@@ -150,13 +159,18 @@ def _item(text: str, at: int, index: int) -> int:
     return at if at < len(text) and text[at] != "]" else -1
 
 
+def too_large(number: tuple[str, str]) -> Text:
+    """Return the sentence for a number that `infinite_number` found."""
+    return Text("{number} is too large for a number ({place})", number=number[0][:40], place=number[1])
+
+
 def sentence_of_json(error: Exception, data: bytes, kind: Any) -> str:
     """Return the sentence for JSON that is not a `kind`; for any other error, the error's own."""
     if isinstance(error, msgspec.ValidationError):
         if number := infinite_number(data):
-            return f"{number[0][:40]} is too large for a number ({number[1]})"
+            return too_large(number)
         try:
             return sentence(error, msgspec.json.decode(data), kind)
         except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as later:  # not JSON further on
             error = later
-    return "the text is not in UTF-8" if isinstance(error, UnicodeDecodeError) else in_words(str(error))
+    return Text("the text is not in UTF-8") if isinstance(error, UnicodeDecodeError) else in_words(str(error))

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from ..errors import SceneError
 from ..scene.types import Scene
+from ..text import Text
 from .files import encode_scene, read_scene, take_out, user_folder, write_atomically
 
 LETTERS = "23456789BCDFGHJKMNPQRSTVWXZ"
@@ -51,8 +52,13 @@ def share_scene(scene: Scene) -> str:
     data = encode_scene(scene)
     if len(data) > MAX_BYTES:
         raise SceneError(
-            f"{scene.name!r} takes {len(data)} bytes, more than the {MAX_BYTES} that are kept for a short "
-            "address; send the scene as a file"
+            Text(
+                "{scene!r} takes {count} bytes, more than the {most} that are kept for a short "
+                "address; send the scene as a file",
+                scene=scene.name,
+                count=len(data),
+                most=MAX_BYTES,
+            )
         )
     letters = letters_of(hashlib.sha256(data).digest())
     try:
@@ -69,9 +75,15 @@ def share_scene(scene: Scene) -> str:
                 os.utime(path)
                 return letters[:length]
     except OSError as error:
-        reason = error.strerror or error
-        raise SceneError(f"{shared_folder()}: the scene cannot be kept there ({reason})") from None
-    raise SceneError(f"{shared_folder()}: no short code is left")
+        reason = error.strerror or str(error)
+        raise SceneError(
+            Text(
+                "{folder}: the scene cannot be kept there ({reason})",
+                folder=str(shared_folder()),
+                reason=reason,
+            )
+        ) from None
+    raise SceneError(Text("{folder}: no short code is left", folder=str(shared_folder())))
 
 
 def shared_scene(code: str) -> Scene:
@@ -84,8 +96,12 @@ def shared_scene(code: str) -> Scene:
     path = _path(code)
     if not _CODE.fullmatch(code) or not path.is_file():
         raise SceneError(
-            f"no scene is kept under {code[:20]!r} here: it was mistyped, is another server's, or was taken "
-            f"out after {MAX_KEPT} others"
+            Text(
+                "no scene is kept under {code!r} here: it was mistyped, is another server's, "
+                "or was taken out after {most} others",
+                code=code[:20],
+                most=MAX_KEPT,
+            )
         )
     scene = read_scene(path)
     with contextlib.suppress(OSError):

@@ -58,7 +58,7 @@ class Page(html.parser.HTMLParser):
         if self._open and self._open[-1] in self.parts:
             self.parts[self._open[-1]][-1] += data
 
-    def check_policy(self, images: str = "data:") -> None:
+    def check_policy(self, images: str = "data:", of_site: bool = False) -> None:
         """It may load nothing but images, and runs and has no script or style but those that are in it."""
         rules = dict(rule.split(" ", 1) for rule in self.policy.split("; "))
         assert rules.pop("img-src") == images
@@ -69,6 +69,8 @@ class Page(html.parser.HTMLParser):
                 for part in self.parts[kind]
             ]
             assert rules.pop(f"{kind}-src") == " ".join(digests)
+        if of_site:  # what installs it
+            assert rules.pop("manifest-src") == rules.pop("worker-src") == "'self'"
         assert not rules
         assert not {"iframe", "object", "embed", "form", "base"} & set(self.tags)
 

@@ -50,6 +50,19 @@ def test_the_reference_pages_are_linked_from_the_readme() -> None:
         assert f"](docs/{page.name})" in readme, page.name
 
 
+def test_the_page_on_access_has_every_criterion_and_tests_that_are_there() -> None:
+    text = (DOCS / "access.md").read_text()
+    lines = [line for line in text.splitlines() if re.match(r"\| \d\.\d\.\d+ ", line)]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    assert len(rows) == len({row[0].split()[0] for row in rows}) == 56
+    for criterion, met, how, shown in rows:
+        assert met in ("supported", "partly", "not supported", "does not apply"), criterion
+        assert how or shown, criterion
+        for name in re.findall(r"[\w/.]+\.(?:py|mjs)", shown):
+            file = ROOT / name if "/" in name else ROOT / "tests" / "browser" / name
+            assert file.exists(), f"{criterion}: {name}"
+
+
 def test_what_the_map_names_is_there() -> None:
     paths = re.findall(r"`((?:app|sim|studies|schema)(?:/[\w.-]+)*)`", (DOCS / "map.md").read_text())
     assert len(paths) > 60

@@ -17,7 +17,7 @@ from pathlib import Path
 import app.features
 import app.words
 
-app.words.FOLDER = Path(sys.argv[1]) / "words"
+app.words.spoken.FOLDER = Path(sys.argv[1]) / "words"
 app.features.__path__.append(sys.argv[1])
 from app.features.speed.feature import SpeedFeature
 from app.pages.sandbox import features

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from msgspec.structs import replace
 from PIL import Image
@@ -15,6 +18,7 @@ from app.export.body.program import unknown_forces
 from app.site import pages
 from app.site.entries import shown
 from app.site.folder import MARKER, Folder
+from app.site.install import ICONS, MANIFEST, WORKER
 from app.words import PSEUDO, speaking
 from sim.store import files
 from sim.store.link import pack_scene
@@ -93,12 +97,33 @@ def test_pictures_show_something_and_all_of_it_is_small(presets: Path) -> None:
     pages = [size for name, size in sizes.items() if name.endswith(".html") and name != "index.html"]
     assert max(pages) < 250_000
     assert sizes["index.html"] < 88_000
-    assert sum(sizes.values()) < 178_000 * len(pages)
+    assert sum(sizes.values()) < 194_000 * len(pages)
 
 
 def test_each_page_may_load_nothing_and_run_nothing_but_its_scripts(presets: Path) -> None:
     for path in presets.glob("*.html"):
-        read(path).check_policy("'self' data:" if path.name == "index.html" else "data:")
+        read(path).check_policy("'self' data:" if path.name == "index.html" else "data:", of_site=True)
+
+
+def test_the_worker_names_each_file_by_what_is_in_it_and_is_the_last_that_is_written(presets: Path) -> None:
+    digests = json.loads(
+        (presets / WORKER).read_text().split("\n")[0].removeprefix("self.FILES=").rstrip(";")
+    )
+    assert digests.keys() == found(presets) - {MARKER, WORKER}
+    for path, digest in digests.items():
+        assert hashlib.sha256((presets / path).read_bytes()).hexdigest() == digest
+    assert list(pages.files(shown(("ring",), own=False), ""))[-1] == WORKER
+
+
+def test_an_icon_is_the_page_s_and_may_be_cut_to_a_circle(presets: Path) -> None:
+    for file, size in ICONS.items():
+        with Image.open(presets / file) as image:
+            assert image.size == (size, size)
+            pixels = np.asarray(image.convert("RGB")).astype(int)
+        drawn = np.argwhere((pixels != 255).any(axis=2)) - (size - 1) / 2.0
+        assert 0.25 * size < np.hypot(*drawn.T).max() < 0.4 * size
+        last = round(size * (0.5 + 0.62 * (26.0 / 32.0 - 0.5)))
+        assert tuple(pixels[last, last]) == (0xFB, 0xBF, 0x24)
 
 
 # ------------------------------------------------------------------------- what is shown
@@ -214,7 +239,7 @@ def test_a_gallery_is_replaced_and_nothing_else_is_touched(tmp_path: Path, softr
     (out / ".git" / "HEAD").write_text("mine")
     (out / "pictures" / "mine.png").write_text("mine")
     make(softrod, out, "ring", "box")
-    own = {"index.html", "ring.html", "box.html", MARKER}
+    own = {"index.html", "ring.html", "box.html", MARKER, MANIFEST, WORKER, *ICONS}
     own |= {f"pictures/{kind}/{name}.webp" for kind in ("light", "dark") for name in ("ring", "box")}
     assert found(out) == own | {"notes.txt", ".git/HEAD", "pictures/mine.png"}
     (out / "rope.html").write_text("mine")

@@ -101,7 +101,7 @@ def test_what_a_language_lacks_is_said_in_english(tmp_path: Path, monkeypatch: p
         (tmp_path / tag).mkdir()
         (tmp_path / tag / "all.ftl").write_text(text)
     caches = words.entries, words.messages, words.bundle_of
-    monkeypatch.setattr(words, "FOLDER", tmp_path)
+    monkeypatch.setattr(words.spoken, "FOLDER", tmp_path)
     for cache in caches:
         cache.cache_clear()
     try:

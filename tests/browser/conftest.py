@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 import viser
 from msgspec.structs import replace
-from playwright.sync_api import Browser, BrowserContext, Page, Playwright, ViewportSize, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, BrowserType, Page, ViewportSize, sync_playwright
 
 import sim
 from app.pages.sandbox.tab import Tab
@@ -59,7 +59,7 @@ Kind = tuple[bool, bool, bool]
 """Of a page: whether it is touched, whether its canvas is drawn, and whether smoothly."""
 
 
-def browser_path(playwright: Playwright) -> str:
+def browser_path(chromium: BrowserType) -> str:
     """A Chromium or Chrome on this machine."""
     asked = os.environ.get("SOFTROD_BROWSER")
     if asked is not None:
@@ -67,7 +67,7 @@ def browser_path(playwright: Playwright) -> str:
         if path is None:
             pytest.fail(f"SOFTROD_BROWSER is {asked!r}, which is no program that can be run.", pytrace=False)
         return path
-    found = next(filter(None, map(shutil.which, NAMES)), None) or playwright.chromium.executable_path
+    found = next(filter(None, map(shutil.which, NAMES)), None) or chromium.executable_path
     if not Path(found).exists():
         pytest.fail(
             "These tests need Chromium or Chrome: install one, or name one in SOFTROD_BROWSER.", pytrace=False
@@ -79,7 +79,7 @@ def browser_path(playwright: Playwright) -> str:
 def browser() -> Iterator[Browser]:
     """One browser for all tests; each has pages of its own."""
     with sync_playwright() as playwright:
-        path = browser_path(playwright)
+        path = browser_path(playwright.chromium)
         browser = playwright.chromium.launch(executable_path=path, args=list(FLAGS), headless=True)
         yield browser
         browser.close()
@@ -147,11 +147,13 @@ class Visits:
         self.asked: list[str] = []
         self.errors: list[str] = []
 
-    def __call__(self, address: str, size: tuple[int, int] = DESKTOP, **how: Any) -> Page:
-        """Open an address; what is on the disk without a network."""
+    def __call__(self, address: str, size: tuple[int, int] = DESKTOP, script: str = "", **how: Any) -> Page:
+        """Open an address; what is on the disk without a network. A script may run before the page's own."""
         viewport: ViewportSize = {"width": size[0], "height": size[1]}
         context = self._browser.new_context(viewport=viewport, offline=address.startswith("file:"), **how)
         self._contexts.append(context)
+        if script:
+            context.add_init_script(script)
         page = context.new_page()
         page.on("request", lambda request: self.asked.append(request.url))
         page.on("pageerror", lambda error: self.errors.append(str(error)))

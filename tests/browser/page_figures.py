@@ -132,7 +132,7 @@ def visit(playwright: Playwright, url: str) -> Figures:
     """Load a page in a browser of its own, which has nothing compiled, and let it move."""
     # Scripts are compiled as for a user; tests do without.
     flags = [flag for flag in FLAGS if not flag.startswith("--js-flags")]
-    browser = playwright.chromium.launch(executable_path=browser_path(playwright), args=flags)
+    browser = playwright.chromium.launch(executable_path=browser_path(playwright.chromium), args=flags)
     context = browser.new_context(viewport={"width": 1280, "height": 720})
     context.set_default_timeout(LIMIT * 1e3)
     context.add_init_script(HARDWARE)

@@ -201,7 +201,9 @@ def main() -> None:
     parser.add_argument("--frames", type=Path, help="a folder for the frames, as PNG files")
     arguments = parser.parse_args()
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=browser_path(playwright), args=list(FLAGS))
+        browser = playwright.chromium.launch(
+            executable_path=browser_path(playwright.chromium), args=list(FLAGS)
+        )
         frames = record(browser)
         browser.close()
     milliseconds = round(1000 * TICKS * FRAME)

@@ -27,7 +27,7 @@ READY = "() => window.__softrod?.fitted?.() > 0"
 
 def open_browser(playwright: Playwright) -> Browser:
     """A browser of its own, as the tests have one."""
-    return playwright.chromium.launch(executable_path=browser_path(playwright), args=list(FLAGS))
+    return playwright.chromium.launch(executable_path=browser_path(playwright.chromium), args=list(FLAGS))
 
 
 @contextmanager

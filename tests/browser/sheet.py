@@ -166,7 +166,9 @@ def main() -> None:
     tiles = in_beats() if moves else {name: at_time(name, seconds) for name, seconds in TIMES.items()}
     out: Path = arguments.out or DOCS / ("muscles.webp" if moves else "bodies.webp")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=browser_path(playwright), args=list(FLAGS))
+        browser = playwright.chromium.launch(
+            executable_path=browser_path(playwright.chromium), args=list(FLAGS)
+        )
         image = sheet(browser, tiles, MOMENTS if moves else COLUMNS, arguments.dark)
         browser.close()
     image.save(out, quality=QUALITY, method=6)

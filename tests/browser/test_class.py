@@ -24,6 +24,7 @@ from app.export.live.live import live_html
 from app.features.classroom.roles import desk_address, seat_address, wall_address
 from app.server.serve import serving
 from app.session.session import Session
+from app.words import PSEUDO
 from sim.compiling.compiler import ENTRY_POINTS
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from tests.amount import part_of
@@ -31,6 +32,8 @@ from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
 from tests.browser.driver import LIMIT, rough_context, until
+from tests.browser.layout import TOUCHED
+from tests.browser.test_pseudo import faults
 from tests.browser.wires import Wire
 
 expect.set_options(timeout=LIMIT * 1e3)
@@ -502,7 +505,6 @@ def test_answers_from_the_lessons_file_by_code_and_as_a_file(
 
 
 def test_the_pages_of_one_class_have_their_own_languages(school: School) -> None:
-    """In pseudo-English all that is plain is a name, or said by the lesson."""
     room, base = school.classroom.room, f"{school.base}?room={school.classroom.room.code}"
 
     def go(phase: Phase) -> None:
@@ -521,8 +523,95 @@ def test_the_pages_of_one_class_have_their_own_languages(school: School) -> None
     go(Phase.REVEAL)
     verdict = "Du hast gewählt: at 240. Die richtige Antwort: at 240. Energy."
     expect(pupil.locator(".softrod-verdict")).to_have_text(verdict)
-    plain = school.open(f"{base}&lang=en-XA", PHONE)
-    expect(plain.locator("details summary")).to_contain_text("Thîš··")
-    said = plain.locator("button, label, summary, .softrod-task").all_text_contents()
-    assert len(said) > 5
-    assert not [text for text in said if text.isascii()]
+
+
+def test_the_pages_of_a_class_say_all_by_messages_and_have_room(school: School) -> None:
+    """In pseudo-English."""
+    classroom = school.classroom
+    addresses = {
+        "desk": desk_address(school.base, classroom),
+        "wall": wall_address(school.base, classroom.room.code),
+        "pupil": seat_address(school.base, classroom.room.code),
+    }
+    opened = {
+        name: school.open(address.replace("?", f"?lang={PSEUDO}&"), PHONE if name == "pupil" else LAPTOP)
+        for name, address in addresses.items()
+    }
+    for page in opened.values():
+        page.locator(".softrod-class >> visible=true").first.wait_for()
+    lesson = {"Where does it stop first?", "at 220", "at 240", "Energy.", "It falls", "Double the stiffness."}
+    for phase in Phase:
+        with FRAME_LOCK:
+            classroom.room.go(0, phase)
+        for name, page in opened.items():
+            for size in TOUCHED:
+                page.set_viewport_size({"width": size[0], "height": size[1]})
+                assert {one for one in faults(page) if one[2] not in lesson} == set(), (phase, name, size)
+
+
+def test_a_prediction_is_made_by_taps_alone(school: School) -> None:
+    """Without being asked for; what a pupil's body does by taps is, on the pupil's page."""
+    room = school.classroom.room
+    with FRAME_LOCK:
+        teacher = Teacher(school.classroom, Session(a_lesson()))
+
+    def go(phase: Phase) -> None:
+        with FRAME_LOCK:
+            room.go(0, phase)
+            teacher.frame()
+            teacher.frame()
+
+    phone = school.open(seat_address(school.base, room.code), PHONE, touch=True)
+    expect(phone.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
+    phone.get_by_role("button", name="Tap instead of drag").tap()
+    go(Phase.ASK)
+    grip, predict = phone.locator(".softrod-own-prediction circle"), phone.locator("[data-focus=predict]")
+    expect(predict).to_be_disabled()
+    note = phone.locator(".softrod-taps")
+
+    def middle() -> tuple[float, float]:
+        box = grip.bounding_box()
+        assert box is not None
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def is_moved() -> bool:
+        """Once the view has made room for the card."""
+        x, y = middle()
+        phone.touchscreen.tap(x, y)
+        if not note.is_visible():
+            return False
+        expect(note).to_contain_text("Picked up: mass 1")
+        phone.touchscreen.tap(x + 10.0, y + 60.0)
+        phone.wait_for_timeout(500)
+        if note.is_visible():  # the card is there by now
+            phone.keyboard.press("Escape")
+            return False
+        return predict.is_enabled() and middle()[1] > y + 40.0
+
+    until(phone, is_moved, "the pale body is where it was tapped to")
+    expect(predict).to_be_enabled()
+    go(Phase.TRY)
+    canvas = phone.locator("canvas")
+    expect(canvas).to_be_visible()
+    places = "[...window.__softrod.shown().body.positions]"
+    phone.get_by_role("button", name="Pause").tap()
+    phone.get_by_role("button", name="Play").wait_for()
+    where = """() => {
+      const picture = window.__softrod.shown(), { plan, place: on, body } = picture;
+      const { left, top } = picture.canvas.getBoundingClientRect();
+      const at = (i, sign) => ((body.positions[2 + i] - (i ? plan.y : plan.x)) * plan.scale * sign * on.step);
+      return [left + on.x + at(0, 1), top + on.y - at(1, plan.flip)];
+    }"""
+    # The last pictures of a body that has stopped come a little later.
+    until(
+        phone,
+        lambda: phone.evaluate(where) == (phone.wait_for_timeout(150), phone.evaluate(where))[1],
+        "still",
+    )
+    before = phone.evaluate(places)
+    x, y = phone.evaluate(where)
+    phone.touchscreen.tap(x, y)
+    expect(note).to_contain_text("Picked up: mass 1")
+    phone.touchscreen.tap(x + 40.0, y)
+    until(phone, lambda: phone.evaluate(where)[0] == pytest.approx(x + 40.0, abs=3.0), "the mass is, too")
+    assert phone.evaluate(places)[2] > before[2]

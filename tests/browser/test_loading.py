@@ -1,4 +1,4 @@
-"""The first seconds of a page, and pages that cannot work: nothing of viser's own is to be seen."""
+"""The first seconds of a page: nothing of viser's own is to be seen."""
 
 from __future__ import annotations
 
@@ -17,13 +17,6 @@ NOTES = """
   }).observe(document, { childList: true, subtree: true });
 """
 """Notes what there is when the loading page goes."""
-
-NO_WEBGL = """
-  const real = HTMLCanvasElement.prototype.getContext;
-  HTMLCanvasElement.prototype.getContext = function (kind, options) {
-    return kind.startsWith("webgl") ? null : real.call(this, kind, options);
-  };
-"""
 
 
 def test_a_page_says_that_it_is_loading_until_body_and_panel_are_there(
@@ -48,26 +41,6 @@ def test_a_page_says_that_it_is_loading_until_body_and_panel_are_there(
     context.close()
 
 
-def test_without_webgl_a_page_says_so_and_nothing_else(browser: Browser, serve: Serve) -> None:
-    context = browser.new_context()
-    page = context.new_page()
-    errors: list[str] = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    page.add_init_script(NO_WEBGL)
-    served = serve("ring")
-    tabs = len(served.ticker.tabs)
-    page.goto(served.url)
-    expect(page.get_by_role("alert")).to_contain_text(
-        "softrod draws with WebGL 2, which this browser does not"
-    )
-    page.wait_for_timeout(300)
-    assert page.locator("#root *").count() == 0
-    assert page.get_by_text("Loading…").is_hidden()
-    assert len(served.ticker.tabs) == tabs
-    assert not errors
-    context.close()
-
-
 def test_a_page_of_viser_s_that_it_does_not_know_says_so(browser: Browser, serve: Serve) -> None:
     context = browser.new_context()
     page = context.new_page()
@@ -75,19 +48,6 @@ def test_a_page_of_viser_s_that_it_does_not_know_says_so(browser: Browser, serve
     page.goto(serve("ring").url)
     page.get_by_role("alert").get_by_text("This page cannot draw").wait_for()
     context.close()
-
-
-def test_a_page_whose_graphics_are_taken_back_says_so_and_is_loaded_again(open_page: OpenPage) -> None:
-    desk = open_page("ring", pixels=True)
-    desk.page.evaluate("""
-      const context = document.querySelector("#root canvas").getContext("webgl2");
-      context.getExtension("WEBGL_lose_context").loseContext();
-    """)
-    alert = desk.page.get_by_role("alert").filter(has_text="The browser no longer draws this page")
-    expect(alert).to_be_visible(timeout=2_000)
-    alert.get_by_role("button", name="Reload").click()
-    expect(alert).to_have_count(0)
-    desk.page.wait_for_function("window.__softrod?.fitted() > 0")
 
 
 OF_VISER = """() => {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -16,6 +17,7 @@ import sim
 from app.site import pages
 from app.site.entries import shown
 from app.site.folder import Folder
+from app.site.install import ICONS
 from tests.browser.conftest import Visits
 from tests.browser.driver import until
 from tests.browser.sites import served
@@ -60,7 +62,8 @@ def open_index(visit: Visits, root: Path) -> Iterator[Open]:
         return visit(f"{base}index.html{address}", **how)
 
     yield open_one
-    inside = r"(index\.html(#.*)?|[a-z0-9.-]+\.html|pictures/(light|dark)/[a-z0-9.-]+\.webp)"
+    inside = r"(index\.html(#.*)?|[a-z0-9.-]+\.html|pictures/(light|dark)/[a-z0-9.-]+\.webp"
+    inside += r"|manifest\.json|offline\.js|icon-\d+\.png)"
     inside = f"({'|'.join(map(re.escape, bases))}){inside}|data:image/(svg|webp).*"
     assert [address for address in visit.asked if not re.fullmatch(inside, address)] == []
 
@@ -188,3 +191,98 @@ def test_from_a_server_deep_inside_in_the_dark_on_a_phone(open_index: Open, root
         assert "There is no scene called <i> here." in page.locator("main").inner_text()
         page.goto(f"{base}index.html#at=ring")
         until(page, lambda: focused(page) == "at=ring", "the card has the focus")
+
+
+KEPT = "All of it is on this device now"
+STORED = """async () => {
+  const found = [];
+  for (const name of await caches.keys()) {
+    for (const { url } of await (await caches.open(name)).keys()) found.push(url);
+  }
+  return found;
+}"""
+"""The addresses of all that the browser has stored for the site."""
+
+
+def test_after_one_visit_all_of_it_opens_without_a_network(visit: Visits, tmp_path: Path) -> None:
+    make_site(tmp_path)
+    base = f"/{quote(PLACE)}/"
+    with served(tmp_path) as port:
+        site = f"http://127.0.0.1:{port}{base}"
+        page = visit(f"{site}index.html")
+        page.get_by_text(KEPT).wait_for()
+        # A browser can install it.
+        found = page.context.new_cdp_session(page).send("Page.getAppManifest")
+        manifest = json.loads(found["data"])
+        assert found["errors"] == []
+        assert (manifest["name"], manifest["display"], manifest["lang"]) == ("Springs", "standalone", "en")
+        assert found["manifest"]["startUrl"] == f"{site}index.html"
+        assert found["manifest"]["scope"] == site
+        assert [icon["url"] for icon in found["manifest"]["icons"]] == [f"{site}{icon}" for icon in ICONS]
+    # The server has stopped, and there is no network, either.
+    page.context.set_offline(True)
+    before = len(visit.errors)
+    names = [href.removesuffix(".html") for href in cards(page)]
+    assert len(names) == 9
+    for start in (site, f"{site}index.html#search=", f"{site}index.html?from=home"):
+        page.goto(start)
+        assert page.locator("#count").inner_text() == "9 scenes"
+        page.wait_for_function("[...document.images].some((image) => image.naturalWidth > 100)")
+    for name in names:
+        page.goto(f"{site}{name}.html")
+        lives(page, name)
+    page.keyboard.press("o")
+    page.wait_for_url("**/index.html*")
+    # As where a server leaves out what names end with.
+    page.goto(f"{site}ring")
+    page.wait_for_function("window.__softrod?.now().body.time >= 0")
+    assert len(visit.errors) == before
+
+
+TAKEN_OVER = """() => new Promise(
+  (done) => navigator.serviceWorker.addEventListener("controllerchange", () => done(), { once: true })
+)"""
+
+
+def test_another_publication_replaces_the_one_that_is_kept(visit: Visits, tmp_path: Path) -> None:
+    """Two galleries on a site, one of which is published anew."""
+    for name in ("a", "b"):
+        made = pages.files(shown(["ring", "rope"], own=False), f"First {name}")
+        Folder(tmp_path / name, made).write(made.items())
+    with served(tmp_path) as port:
+        site = f"http://127.0.0.1:{port}"
+        page = visit(f"{site}/a/")
+        page.get_by_text(KEPT).wait_for()
+        page.goto(f"{site}/b/")
+        page.get_by_text(KEPT).wait_for()
+        first = page.evaluate(STORED)
+        made = pages.files(shown(["ring", "box"], own=False), "Second a")
+        Folder(tmp_path / "a", made).write(made.items())
+        page.goto(f"{site}/a/")
+        # The browser looks for another one by itself, and that takes over once it has all files.
+        page.evaluate(TAKEN_OVER)
+        page.goto(f"{site}/a/")
+        assert page.get_by_role("heading", level=1).inner_text() == "Second a"
+        page.wait_for_function(
+            f"async () => !(await ({STORED})()).some((url) => url.includes('/a/rope.html'))"
+        )
+        now = page.evaluate(STORED)
+        # Nothing of the old one is left, and what is the same was not fetched again.
+        assert len(now) == len(first)
+        assert [url for url in now if "/b/" in url] == [url for url in first if "/b/" in url]
+        same = {url for url in now if "/pictures/" in url and "ring" in url}
+        assert same < set(first)
+        # A login page or a web filter answers for the server: none of that is kept, and the old one goes on.
+        made = pages.files(shown(["ring"], own=False), "Third a")
+        Folder(tmp_path / "a", made).write(made.items())
+        (tmp_path / "a" / "ring.html").write_text("Who are you?")
+        page.goto(f"{site}/a/")
+        page.evaluate("navigator.serviceWorker.getRegistration().then((it) => it.update()).catch(() => 0)")
+        page.wait_for_function(
+            "navigator.serviceWorker.getRegistration().then((it) => !it.installing && !it.waiting)"
+        )
+        page.goto(f"{site}/a/ring.html")
+        lives(page, "ring")
+        page.context.set_offline(True)
+        page.goto(f"{site}/b/rope.html")
+        lives(page, "rope")

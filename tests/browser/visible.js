@@ -1,6 +1,6 @@
 // What of a page can be seen and pressed, by words, roles and places alone, so that it serves any page.
 // Evaluates to an object: pressables(), small(least), crowded(least), covered(),
-// sideways(), unreached(within), cut(), zooms(); each entry is plain data.
+// sideways(), unreached(within), cut(), zooms(), plain(); each entry is plain data.
 (() => {
   const PRESSABLE =
     "button, a[href], input:not([type=hidden]), select, textarea, summary, [role=button], [role=tab], [role=switch], " +
@@ -287,6 +287,22 @@
       .map((field) => ({ kind: kindOf(field), words: named(field), more: getComputedStyle(field).fontSize }));
   };
 
-  const api = { pressables, small, crowded, covered, sideways, unreached, cut, zooms, remember, elements: [] };
+  // Words in plain letters on a page in pseudo-English, whose own words have accents: what no message says. Names,
+  // codes and what is in a language of its own are marked as such.
+  const plain = () => {
+    const found = new Map();
+    const look = (element, text) => {
+      if (element.closest("[translate=no], code, script, style, noscript, [lang]:not(html)") || !isShown(element)) return;
+      const words = (text ?? "").match(/\p{L}+/gu) ?? [];
+      if (words.some((word) => /^[A-Za-z]{3,}$/.test(word) && /[aceinouydgklrstz]/.test(word))) found.set(tidy(text), element);
+    };
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (walker.nextNode()) look(walker.currentNode.parentElement, walker.currentNode.data);
+    for (const element of document.querySelectorAll("[aria-label], [aria-valuetext], [aria-description], [title], [placeholder], [alt]"))
+      for (const name of ["aria-label", "aria-valuetext", "aria-description", "title", "placeholder", "alt"]) look(element, element.getAttribute(name));
+    return [...found].map(([text, element]) => ({ kind: kindOf(element), words: text.slice(0, 100), more: element.closest("[class]")?.className?.toString().slice(0, 60) ?? "" }));
+  };
+
+  const api = { pressables, small, crowded, covered, sideways, unreached, cut, zooms, plain, remember, elements: [] };
   return (window.visibleThings = api);
 })()

@@ -66,6 +66,17 @@ test("a page that is looked at seldom, or stood still, does not blame the server
   assert.equal(pulse.look(93_000), "well");
 });
 
+test("a connection that ended while the page stood is replaced within seven seconds after it", () => {
+  const pulse = new Pulse();
+  looks(seconds(0, 6), seconds(0, 2), pulse);
+  const found = looks(seconds(1000, 1010), [], pulse);
+  assert.deepEqual(found.slice(0, 5), ["ask", "well", "ask", "ask", "ask"]);
+  assert.equal(found.indexOf("dead"), 5);
+  // One that says something is well again, and has the usual time.
+  const lively = new Pulse();
+  assert.ok(!looks([0, ...seconds(1000, 1012)], [1_000_500], lively).includes("dead"));
+});
+
 test("a path that is slow, and not dead, gets more time from one connection to the next", () => {
   const pulse = new Pulse();
   const found = looks(seconds(0, 300), [], pulse);
@@ -128,6 +139,7 @@ test("a stall ends what is under way, and nothing that is pressed meanwhile is d
   const click = () => button.dispatchEvent(new PointerEvent("click", { bubbles: true }));
   point("down", { x: 500, y: 400 });
   key("ArrowRight");
+  comes();
   asked();
   live(3, comes);
   assert.deepEqual(new Set(asked()), new Set(["keys"]), "it asks for nothing while something comes");

@@ -5,13 +5,19 @@ import { become, canvas, heard, key, pass, point, put, show, tell } from "./page
 import { listenToEdits } from "../../app/features/edit/gestures.js";
 import { listenToEditKeys } from "../../app/features/edit/keys.js";
 import { addEditMarks } from "../../app/features/edit/marks.js";
+import { crossAt, raiseCross } from "../../app/features/edit/cross.js";
+import { addSpeech } from "../../app/features/edit/speech.js";
 import { editing, setEditing, setTool } from "../../app/features/edit/editing.js";
+import { choose } from "../../app/stage/overlay.js";
 import { listenToPresses } from "../../app/ui/hands/presses.js";
 
 listenToPresses();
 listenToEditKeys();
 listenToEdits();
 addEditMarks();
+addSpeech();
+const body = put("div", { class: "softrod-body", tabindex: "0" });
+const live = document.querySelector(".softrod-tell");
 const PLACES = [[100, 100], [200, 100], [300, 100], [400, 100]];
 const SPRINGS = [[0, 1], [1, 2], [2, 3]];
 const JOINTS = [[0, 1, 1, 1], [1, 2, 2, 1]];
@@ -158,4 +164,44 @@ test("a key that is held deletes and duplicates once", () => {
     for (const repeat of [false, true, true]) assert.ok(key(name, { ...more, repeat }).defaultPrevented);
     assert.equal(heard().length, 1, name);
   }
+});
+
+test("a cross that arrows move stands for a pointer, and says where it is and what is there", () => {
+  const said = () => pass(100) ?? live.textContent;
+  setTool("build");
+  raiseCross();
+  assert.equal(document.activeElement, body);
+  assert.match(said(), /^Cross at x \d+, y \d+\./);
+  const before = crossAt();
+  key("ArrowRight");
+  assert.ok(crossAt().x > before.x && crossAt().y === before.y);
+  heard();
+  key("Enter");
+  assert.deepEqual(heard().map((message) => message.do), ["place"], "an empty place gets a mass");
+  key("Escape");
+  assert.equal(crossAt(), null);
+  // From a mass on, Enter begins a spring there.
+  raiseCross();
+  for (let i = 0; i < 100 && !/mass/.test(said()); i += 1) key(crossAt().y > 100 ? "ArrowUp" : "ArrowLeft");
+  key("Enter");
+  assert.ok(editing.chain >= 0);
+  setEditing(false);
+  assert.equal(crossAt(), null, "it goes with the tools");
+});
+
+test("what keys have chosen is removed and pinned, though what was built last is still selected", () => {
+  setTool("build");
+  select([3]);
+  body.focus();
+  choose(1);
+  heard();
+  key("p");
+  key("Delete");
+  assert.deepEqual(heard(), [{ do: "act", what: "pin", mass: 1 }, { do: "act", what: "remove", mass: 1 }]);
+  setTool("select");
+  key("p");
+  assert.deepEqual(heard(), [{ do: "act", what: "pin", under: 1 }]);
+  key("ArrowRight", { shiftKey: true });
+  assert.deepEqual(heard(), [{ do: "select", springs: [0] }], "with Shift, arrows go through its springs and joints");
+  choose(-1);
 });

@@ -93,3 +93,10 @@ test("a server that is started anew has another clock", () => {
   for (let now = 1; now < 2; now += 1 / 60) take(glide, 100 + now, now + 0.004);
   assert.ok(Math.abs(/** @type {any} */ (glide.at(2)).time - 101.98) < 0.03);
 });
+
+test("a page in the background keeps no more frames than it may still show", () => {
+  const { glide } = play(even(60, 60), 1);
+  for (let i = 60; i < 60 * 3600; i++) take(glide, i / 60, i / 60);
+  assert.ok(glide.frames.length < 60, `${glide.frames.length} frames`);
+  assert.ok(Math.abs(glide.at(3600).time - 3600) < 0.1);
+});

@@ -34,6 +34,7 @@ class Event {
 }
 class PointerEvent extends Event {}
 class KeyboardEvent extends Event {}
+class CustomEvent extends Event {}
 class MessageEvent extends Event {}
 
 export class Target {
@@ -219,7 +220,7 @@ const storage = () => {
   return { getItem: (name) => kept.get(name) ?? null, setItem: (name, text) => void kept.set(name, text), removeItem: (name) => kept.delete(name) };
 };
 const globals = {
-  window, document, Event, PointerEvent, KeyboardEvent, MessageEvent, Element, HTMLElement, HTMLInputElement, SVGElement,
+  window, document, Event, PointerEvent, KeyboardEvent, MessageEvent, CustomEvent, Element, HTMLElement, HTMLInputElement, SVGElement,
   Node: Element, DOMRect: class { left = 0; right = 0; }, localStorage: storage(), sessionStorage: storage(), location: { search: "" },
   innerWidth: window.innerWidth, innerHeight: window.innerHeight,
   requestAnimationFrame: (draw) => frames.push(draw),

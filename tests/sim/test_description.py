@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 import sim
 from sim.analysis.description import Description, describe
+from sim.analysis.part_description import describe_joint, describe_mass, describe_spring
 from sim.store.files import list_scenes
 from tests.amount import part_of
 from tests.sim.bodies import body
@@ -43,8 +44,6 @@ def reading(simulation: sim.Simulation) -> dict[str, float]:
         rest = (
             np.array([spring.rest_length for spring in scene.linear_springs]) * simulation.rest_length_scale
         )
-        if scene.beat is None or isinstance(scene.beat, type(scene.walls)):
-            pass
         length = np.hypot(*(x[ends[:, 1]] - x[ends[:, 0]]).T)
         read["stretched"] = float((length / rest - 1.0).max())
         read["squeezed"] = float((length / rest - 1.0).min())
@@ -127,3 +126,86 @@ def test_a_broken_spring_parts_a_chain() -> None:
     found = describe(simulation, torn)
     assert found.broken > 0
     assert len(found.pieces) == 1 + found.broken
+
+
+def spring_reading(simulation: sim.Simulation, number: int) -> tuple[float, float]:
+    """Length and force of a spring without a muscle, from places and velocities alone."""
+    spring = simulation.scene.linear_springs[number]
+    x, v = simulation.positions, simulation.velocities
+    line = x[spring.b] - x[spring.a]
+    length = float(np.hypot(*line))
+    rest = spring.rest_length * simulation.rest_length_scale
+    rate = float(line @ (v[spring.b] - v[spring.a])) / length
+    return length, spring.stiffness * (length - rest) + spring.damping * rate
+
+
+def joint_reading(simulation: sim.Simulation, number: int) -> tuple[float, float]:
+    """Angle, degrees, and torque of a joint without a muscle or a motor, from places and velocities alone."""
+    scene = simulation.scene
+    joint, x, v = scene.angular_springs[number], simulation.positions, simulation.velocities
+    angles, rates, lengths = [], [], []
+    for s in (joint.a, joint.b):
+        spring = scene.linear_springs[s]
+        line, rate = x[spring.b] - x[spring.a], v[spring.b] - v[spring.a]
+        square = float(line @ line)
+        angles.append(math.atan2(line[1], line[0]))
+        rates.append(float(line[0] * rate[1] - line[1] * rate[0]) / square)
+        lengths.append(math.sqrt(square))
+    angle = math.remainder(angles[1] - angles[0], math.tau)
+    off = math.remainder(angle - math.radians(joint.rest_angle), math.tau)
+    bent = off if scene.force_law == "angle" else math.sin(off)
+    torque = math.prod(lengths) * (joint.stiffness * bent + joint.damping * (rates[1] - rates[0]))
+    return math.degrees(angle), torque
+
+
+@pytest.mark.parametrize("name", part_of(PRESETS, 4))
+def test_each_number_of_a_part_is_within_two_percent_of_one_s_own_reading(name: str) -> None:
+    scene = sim.load_scene(name)
+    simulation = sim.Simulation(scene)
+    simulation.step(60)
+    scene, whole = simulation.scene, simulation.damage is None
+    for number in {0, len(scene.masses) // 2, len(scene.masses) - 1}:
+        mass = describe_mass(simulation, scene, number)
+        assert mass.place == pytest.approx(tuple(simulation.positions[number]), rel=0.02)
+        assert mass.velocity == pytest.approx(tuple(simulation.velocities[number]), rel=0.02)
+        assert mass.mass == scene.masses[number].mass
+        ends = [(s.a, s.b) for s in scene.linear_springs]
+        if whole:
+            assert sorted(mass.neighbours) == sorted(sum(pair) - number for pair in ends if number in pair)
+    # Forces are differences of large numbers; they are compared with the largest that acts there.
+    for number in {0, len(scene.linear_springs) // 2} if whole and scene.linear_springs else ():
+        line = scene.linear_springs[number]
+        if line.muscle or line.only:
+            continue
+        spring = describe_spring(simulation, scene, number)
+        length, force = spring_reading(simulation, number)
+        assert spring.length == pytest.approx(length, rel=0.02)
+        assert spring.rest_length * (1.0 + spring.strain) == pytest.approx(length, rel=0.02)
+        assert spring.force == pytest.approx(force, rel=0.02, abs=1e-6 * line.stiffness)
+    for number in {0, len(scene.angular_springs) // 2} if whole and scene.angular_springs else ():
+        of = scene.angular_springs[number]
+        if of.muscle or of.motor or of.only:
+            continue
+        joint = describe_joint(simulation, scene, number)
+        angle, torque = joint_reading(simulation, number)
+        if not scene.linear_springs[of.a].only and joint.mass == scene.linear_springs[of.a].b:
+            assert math.remainder(joint.angle - angle, 360.0) == pytest.approx(0.0, abs=0.02)
+            if scene.template is None and joint.rest_angle == of.rest_angle:
+                assert joint.torque == pytest.approx(torque, rel=0.02, abs=1e-4 * of.stiffness)
+
+
+def test_a_broken_spring_joins_no_masses_and_what_touches_is_said_of_a_mass() -> None:
+    rope = body("chain", "angle", 0)
+    weak = tuple(replace(spring, strength=1e-3) for spring in rope.linear_springs)
+    torn = replace(rope, linear_springs=weak, gravity=(0.0, 1000.0))
+    simulation = sim.Simulation(torn)
+    simulation.step(200)
+    broken = [s for s in range(len(weak)) if describe_spring(simulation, torn, s).is_broken]
+    assert broken
+    assert broken[0] not in describe_mass(simulation, torn, torn.linear_springs[broken[0]].a).springs
+    assert describe_spring(simulation, torn, broken[0]).force == 0.0
+    buggy = sim.load_scene("buggy")
+    parked = sim.Simulation(buggy)
+    parked.step(100)
+    found = [describe_mass(parked, buggy, m).touches for m in range(len(buggy.masses))]
+    assert sum(found) == describe(parked, buggy).touching > 0

@@ -14,7 +14,7 @@ from sim.motion.quantities import PARTS, Quantity, quantity
 from sim.scene.lesson import Step
 from sim.settings import CHOICES, SETTINGS, scene_of_run, scene_of_step
 
-from ...lessons import goal_text, lesson_code
+from ...lessons import goal_text, lesson_code, quantity_text
 from ...session.plots import PlotSpec, parse_plot
 from ...words import listed, say
 from ...words.english import step_of
@@ -153,8 +153,10 @@ def _plot(spec: PlotSpec, scene: sim.Scene) -> dict[str, Any]:
     quantities = [quantity(name, scene) for name in spec.names]
     return {
         "names": spec.names,
+        "words": tuple(map(quantity_text, spec.names)),
         "units": [one.unit for one in quantities],
         "over": spec.over,
+        "overWords": quantity_text(spec.over) if spec.over else "",
         "overUnit": quantity(spec.over, scene).unit if spec.over else "",
         "turned": scene.view.y_down and all(one.kind.vertical for one in quantities),
     }

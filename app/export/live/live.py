@@ -106,7 +106,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
 <select id="speed" aria-label="{said("live-speed")}">{speed_options()}</select>
 <button id="follow" type="button" {follow}>{said("live-follow")}</button>
 <div id="pad" hidden>{arrows}</div>
-<output id="clock"></output>
+<output id="clock" aria-live="off" translate="no"></output>
 <button id="view" type="button" aria-label="{said("live-view")}">?</button>
 </section>
 <p id="says" class="hidden" role="status"></p>"""
@@ -175,6 +175,7 @@ def _about(moment: sim.Moment, has: Mapping[str, bool]) -> dict[str, Any]:
     about |= stage(scene, np.array(moment.positions)) | keys
     about |= {
         "joint": 0 if scene.angular_springs else -1,
+        "unit": scene.view.unit,
         "energyUnit": unit_in(ENERGY_UNIT, scene.view.unit),
         "lesson": lesson_data(scene, about, moving) if scene.lesson is not None else None,
     }

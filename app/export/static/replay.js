@@ -112,6 +112,8 @@ function player(about, motion) {
     keys[event.key]();
   });
   new ResizeObserver(ask).observe(canvas);
+  // The browser had taken its memory back.
+  canvas.addEventListener("contextrestored", ask);
   for (const query of ["(prefers-color-scheme: dark)", `(resolution: ${devicePixelRatio}dppx)`]) {
     matchMedia(query).addEventListener("change", ask);
   }

@@ -76,9 +76,12 @@ function show() {
   body.append(
     row(tongues, say("access-language"), say("access-language.hint")),
     row(letters, say("access-letters"), say("access-letters.hint")),
+    row(toggle(access().taps, (taps) => setAccess({ taps })), say("access-taps"), say("access-taps.hint")),
     row(toggle(isProjector(), toggleProjector), say("access-larger"), say("access-larger.hint")),
     row(toggle(access().contrast, (contrast) => setAccess({ contrast })), say("access-contrast"), say("access-contrast.hint")),
     row(toggle(access().still, (still) => (setAccess({ still }), tellStill())), say("access-still"), say("access-still.hint")),
+    row(toggle(access().sound, (sound) => setAccess({ sound })), say("access-sound"), say("access-sound.hint")),
+    row(toggle(access().events, (events) => setAccess({ events })), say("access-events"), say("access-events.hint")),
     make("p", "softrod-access-hint", say("access-kept")),
   );
   dialog.addEventListener("close", () => dialog.remove());

@@ -9,7 +9,7 @@ import { box, qrCode, sayWith, typedAddress } from "./elements.js";
 export function beforehand(desk) {
   if (!desk.check_qr) return [];
   const parts = [...lesson(desk), ...network(desk), check(desk), wayIn(desk)];
-  return parts.map(([title, ...content], i) => box("section", "softrod-beforehand", make("h3", "", `${i + 1}. ${title}`), ...content));
+  return parts.map(([title, ...content], i) => box("section", "softrod-beforehand", make("h2", "", `${i + 1}. ${title}`), ...content));
 }
 
 /** @typedef {[title: string, ...content: HTMLElement[]]} Part */

@@ -4,10 +4,10 @@
  * controls of the teacher's own body. What is seldom wanted is in a menu.
  */
 import { onMessage, send } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { say } from "../../words/words.js";
 import { beforehand } from "./beforehand.js";
-import { box, button, fold, icon, sayWith, typedAddress, untranslated } from "./elements.js";
+import { box, button, fold, icon, sayWith, typedAddress } from "./elements.js";
 import { guide } from "./guide.js";
 import { hearImports, importResults, imports } from "./imports.js";
 import { OWN_BODY } from "./phases.js";

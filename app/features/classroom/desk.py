@@ -25,6 +25,7 @@ from ...ui.controls import Controls
 from ...wire import from_page
 from ...wire.carrier import Mail
 from ...words import say
+from ...words.english import of
 from ..files.sharing import qr_code
 from . import messages
 from .messages import Brought, Desk, DeskAnswer, DeskSeat, DeskStop, DeskTried, Posters
@@ -217,7 +218,7 @@ class DeskRole(ClassRole):
         try:
             imported = sheets.import_sheet(self.room, text)
         except Refused as error:
-            self._mail.send(Brought(told=str(error), refused=True))
+            self._mail.send(Brought(told=of(str(error)), refused=True))
             return
         if imported.known:
             count = say("desk-brought-known", name=imported.name, count=imported.new, known=imported.known)

@@ -122,12 +122,6 @@ export const qrCode = (src, address, name = "") => Object.assign(make("img", nam
 /** An address as one types it. @param {string} address */
 export const typedAddress = (address) => address.replace(/^http:\/\/|\/$/g, "");
 
-/** A text that no browser is to translate. @param {HTMLElement} element */
-export function untranslated(element) {
-  element.translate = false;
-  return element;
-}
-
 /** What is folded out. @type {Set<string>} */
 const open = new Set();
 

@@ -8,6 +8,7 @@ import { roundUp } from "../../stage/axes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
+import { takePointer } from "../../ui/hands/take.js";
 import { say } from "../../words/words.js";
 
 /** @typedef {import("../../stage/plan.js").Plan} Plan */
@@ -99,6 +100,8 @@ export class OwnPrediction {
   grips = [];
   isOn = false;
   moved = false;
+  /** The mass that was moved last. */
+  last = -1;
   /** The masses that are asked for; none for all. @type {number[]} */
   asked = [];
 
@@ -113,6 +116,7 @@ export class OwnPrediction {
     this.marks = marks;
     this.changed = changed;
     this.svg.removeAttribute("aria-hidden");
+    set(this.svg, { role: "application", "aria-label": say("class-grips") }); // keys go to its grips
     marks.onRedraw((seen) => this.draw(seen));
   }
 
@@ -153,6 +157,13 @@ export class OwnPrediction {
     const [mass] = this.free;
     const dx = (this.places[mass][0] - this.start[mass][0]) / this.scale, dy = (this.places[mass][1] - this.start[mass][1]) / this.scale;
     return dx || dy ? movedText(dx, -dy, unit) : "";
+  }
+
+  /** The same of the mass that was moved last, with its number; empty before. @param {string} unit */
+  news(unit) {
+    if (!this.moved || this.last < 0) return "";
+    const [[x, y], [x0, y0]] = [this.places[this.last], this.start[this.last]];
+    return say("class-moved-mass", { mass: String(this.last), moved: movedText((x - x0) / this.scale, (y0 - y) / this.scale, unit) });
   }
 
   /** Moves that mass a little. @param {number} across 1 for right @param {number} up 1 for up */
@@ -204,15 +215,20 @@ export class OwnPrediction {
       event.preventDefault();
       event.stopPropagation();
     };
+    let pointer = -1;
     grip.addEventListener("pointerdown", (event) => {
       stop(event);
       grip.focus();
-      grip.setPointerCapture(event.pointerId);
+      pointer = event.pointerId;
+      takePointer(grip, event, { name: say("edit-mass", { number: String(mass) }), always: true });
     });
     grip.addEventListener("pointermove", (event) => {
-      const at = grip.hasPointerCapture(event.pointerId) ? this.marks.at(event) : null;
+      const at = event.pointerId === pointer ? this.marks.at(event) : null;
       if (at) this.move(mass, [at.x, at.y]);
     });
+    for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {
+      grip.addEventListener(kind, ({ pointerId }) => (pointer = pointerId === pointer ? -1 : pointer));
+    }
     grip.addEventListener("keydown", (event) => {
       const way = ARROWS[event.key];
       if (!way) return;
@@ -228,6 +244,7 @@ export class OwnPrediction {
   move(mass, to) {
     drag(this.places, mass, to, this.springs, this.held);
     this.moved = true;
+    this.last = mass;
     this.marks.redraw();
     this.changed();
   }

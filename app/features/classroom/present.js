@@ -1,9 +1,9 @@
 // @ts-check
 /** The right-hand part of the teacher's page: the class as it is. Who is there, what their bodies do, and what they gave. */
 import { send } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { say } from "../../words/words.js";
-import { box, button, fold, icon, untranslated, voteBars } from "./elements.js";
+import { box, button, fold, icon, voteBars } from "./elements.js";
 import { OWN_BODY, PREDICTED } from "./phases.js";
 import { plot, power } from "./plot.js";
 import { poster, still } from "./poster.js";
@@ -92,7 +92,7 @@ function asked({ asking: { phase, question, choices, predict }, bars, right, sea
     box(
       "section",
       "",
-      box("header", "", make("h3", "", say(phase === "ask" || home ? "desk-chose.now" : "desk-chose")), ...(phase === "ask" || home ? [sealed] : [])),
+      box("header", "", make("h2", "", say(phase === "ask" || home ? "desk-chose.now" : "desk-chose")), ...(phase === "ask" || home ? [sealed] : [])),
       ...(question ? [voteBars(choices, bars, right)] : []),
       ...ask,
       ...(predict > 0 ? [make("p", "softrod-quiet", home ? say("desk-predicted", { count: predictions }) : say("desk-predicted.some", { count: predictions, all: counted(seats) }))] : []),
@@ -157,7 +157,7 @@ function seats(desk) {
   return box(
     "section",
     "",
-    box("header", "", make("h3", "", say("desk-who")), make("span", "softrod-quiet", away ? say("desk-who-away", { here, away }) : String(here))),
+    box("header", "", make("h2", "", say("desk-who")), make("span", "softrod-quiet", away ? say("desk-who-away", { here, away }) : String(here))),
     ...(hands.length ? [box("div", "softrod-desk-hands-up", ...hands)] : []),
     ...(tiles.length ? [] : [make("p", "softrod-quiet", say("desk-nobody"))]),
     box("ul", hasPicture ? "softrod-seats softrod-tiles" : "softrod-seats", ...tiles),
@@ -178,7 +178,7 @@ function alone(desk, seat) {
   const part = box(
     "section",
     "softrod-desk-seat",
-    box("header", "", nameOf("h3", seat), make("span", "softrod-quiet", said), button(say("desk-to-all"), () => choose(0), { focus: "allSeats" })),
+    box("header", "", nameOf("h2", seat), make("span", "softrod-quiet", said), button(say("desk-to-all"), () => choose(0), { focus: "allSeats" })),
     ...(hasOwn || dots.length ? [poster(hasOwn ? number : 0, dots)] : []),
     box(
       "div",
@@ -216,7 +216,7 @@ function collected({ answers, asking, axes, law, shows_law, home }) {
   const found = answers.flatMap(({ setting, found, doubt }) => (setting === null || found === null || doubt ? [] : [{ setting, found }]));
   if (!found.length || (asking.phase !== "collect" && !home)) return [];
   const words = law && shows_law ? [make("p", "", power(law, axes))] : [];
-  return [box("section", "", make("h3", "", say("desk-found")), plot(found, axes, { law: shows_law ? law : null }), ...words)];
+  return [box("section", "", make("h2", "", say("desk-found")), plot(found, axes, { law: shows_law ? law : null }), ...words)];
 }
 
 /** @param {DeskAnswer} answer @param {DeskSeat[]} seats @param {string} on_wall */

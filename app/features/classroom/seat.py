@@ -38,6 +38,7 @@ from ...wire import from_page, line
 from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
 from ...words import language, say, speaking
+from ...words.english import of
 from . import messages
 from .messages import Found, Given, Predictions, Seat, Taken
 from .role import (
@@ -172,7 +173,7 @@ class SeatRole(ClassRole):
                     self.room.follow(self._own_seat().number, on)
         except Refused as error:
             ids = (said.id,) if isinstance(said, messages.Give) else ()
-            self._mail.send(Taken(ids=ids, refused=str(error)))
+            self._mail.send(Taken(ids=ids, refused=of(str(error))))
 
     def _update(self, session: Session) -> None:
         ready = tuple(id for version, id in self._unwritten if version <= self.classroom.written)
@@ -312,7 +313,7 @@ class SeatRole(ClassRole):
         try:
             seat = self.room.enter(self._secret, self.classroom.pupils, granted if self._visitor else ())
         except Refused as error:
-            self._problem = str(error)
+            self._problem = of(str(error))
             return
         granted.add(seat.number)
         self._sit(seat)

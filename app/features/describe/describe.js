@@ -1,11 +1,24 @@
 // @ts-check
-/** The description of the body: a card over the canvas, which a screen reader reads. Esc closes it. */
-import { onMessage } from "../../wire/channel.js";
+/** The description of the body, or of a part of it: a card over the canvas, which a screen reader reads. Esc closes it. */
+import { chosenMass } from "../../stage/overlay.js";
+import { onMessage, send } from "../../wire/channel.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
+import { speakOfEvents } from "./speaker.js";
 import { say } from "../../words/words.js";
 
+/** The mass beside which a card stands; -1 for none. */
+let read = -1;
+
+/** Describes what is selected, or else the mass that keys have chosen or that was clicked, or else the body. */
+function describe() {
+  const mass = [chosenMass(), read].find((each) => each >= 0);
+  send({ do: "describe", mass: mass ?? null });
+}
+
 function begin() {
+  speakOfEvents();
+  onMessage("massCard", ({ mass = -1 }) => (read = mass));
   const card = make("section", "softrod-described softrod-floats");
   card.ariaLabel = say("describe-title");
   card.hidden = true;
@@ -31,4 +44,4 @@ function begin() {
 }
 
 /** @type {import("../../ui/feature.js").Feature<"describe">} */
-export default { commands: {}, begin };
+export default { commands: { describe }, begin };

@@ -144,7 +144,7 @@ def _held(pieces: tuple[Piece, ...]) -> Iterator[str]:
         yield say("describe-held-most", count=len(held))
 
 
-def _way(vector: tuple[float, float], up: float) -> str:
+def way_of(vector: tuple[float, float], up: float) -> str:
     """The direction of a vector, in words."""
     return say("describe-way", way=_WAYS[round(direction(vector, up) / 45.0) % 8])
 
@@ -156,12 +156,12 @@ def _motion(found: Description, unit: str, up: float) -> Iterator[str]:
     yield say(
         "describe-moves",
         mass=str(found.fastest),
-        way=_way(found.velocity, up),
+        way=way_of(found.velocity, up),
         speed=f"{number(found.speed)} {unit}/s",
     )
     drift = math.hypot(*found.drift)
     if drift > 0.1 * found.speed:
-        yield say("describe-drifts", whole=_way(found.drift, up), speed=f"{number(drift)} {unit}/s")
+        yield say("describe-drifts", whole=way_of(found.drift, up), speed=f"{number(drift)} {unit}/s")
     degrees = math.degrees(found.turning)
     if abs(degrees) >= _SLOW:
         sense = "counterclockwise" if degrees > 0.0 else "clockwise"
@@ -181,6 +181,6 @@ def _changes(found: Description, before: Description, unit: str, up: float) -> I
     if found.broken > before.broken:
         yield say("describe-broke", count=found.broken - before.broken)
     if math.hypot(*way) > _UNHEARD * size:
-        yield say("describe-moved", way=_way(way, up), length=f"{number(math.hypot(*way))} {unit}")
+        yield say("describe-moved", way=way_of(way, up), length=f"{number(math.hypot(*way))} {unit}")
     elif found.broken == before.broken:
         yield say("describe-same")

@@ -1,6 +1,7 @@
 // @ts-check
 /** The tools that build and change the body. */
 import { listenToClipboard } from "./clipboard.js";
+import { raiseCross } from "./cross.js";
 import { editing, setEditing } from "./editing.js";
 import { listenToEdits } from "./gestures.js";
 import { listenToEditKeys } from "./keys.js";
@@ -20,4 +21,4 @@ function begin() {
 }
 
 /** @type {import("../../ui/feature.js").Feature<"edit">} */
-export default { commands: { edit: () => setEditing(!editing.on) }, begin };
+export default { commands: { edit: () => setEditing(!editing.on), cross: raiseCross }, begin };

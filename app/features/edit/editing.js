@@ -14,6 +14,7 @@
  * @typedef {Line | Marquee | Move | Stroke | Turn} Drag
  */
 import { has } from "../../wire/channel.js";
+import { say } from "../../words/words.js";
 
 export const editing = {
   /** Whether the tools are shown. */
@@ -25,6 +26,8 @@ export const editing = {
   /** Names of the changes that can be undone and redone; empty for none. */
   undo: "",
   redo: "",
+  /** The number of changes that can be undone. */
+  count: 0,
   /** The factor by which a stiffer body could keep the shape that it cannot keep now; 0 for none. */
   stiffen: 0,
   /** The place of the pointer over the canvas, or null. @type {Place | null} */
@@ -79,3 +82,21 @@ export const setTool = (tool) => change({ tool, ...NO_GESTURE });
 
 /** Shows or hides the tools. @param {boolean} on */
 export const setEditing = (on) => change({ on: on && isEditable(), ...NO_GESTURE });
+
+/** The selected kinds of parts, each as in "2 masses". @param {Parts} parts */
+export const kindsOf = ({ masses, springs, joints }) => [
+  ...(masses.length ? [say("edit-masses", { count: masses.length })] : []),
+  ...(springs.length ? [say("edit-springs", { count: springs.length })] : []),
+  ...(joints.length ? [say("edit-joints", { count: joints.length })] : []),
+];
+
+/** A selection in words, as in "2 masses, 1 spring". @param {Parts} parts */
+export const inWords = (parts) => kindsOf(parts).join(", ");
+
+/** The same; a single part by its number. @param {Parts} parts */
+export function nameOf(parts) {
+  const { masses: [mass], springs: [spring], joints: [joint] } = parts;
+  if (parts.masses.length + parts.springs.length + parts.joints.length !== 1) return inWords(parts);
+  if (mass !== undefined) return say("edit-mass", { number: String(mass) });
+  return spring !== undefined ? say("edit-spring", { number: String(spring) }) : say("edit-joint", { number: String(joint) });
+}

@@ -27,7 +27,7 @@ from ...session.session import Notice, Session
 from ...stage.sketch import Mapping
 from ...wire.carrier import Mail
 from ...words import say
-from ...words.english import written
+from ...words.english import refusal, written
 from . import messages as asks
 from .labels import done
 from .messages import Copied, Selected, TextsTaken, Versions
@@ -89,7 +89,7 @@ class Edits:
         try:
             texts.set_texts(scene, name, description)
         except SceneError as error:
-            refused = f"{str(error)[:1].upper()}{str(error)[1:]}."
+            refused = refusal(error)
         else:
             self._session.post(
                 commands.Change(lambda moment, _: texts.set_texts(moment.scene, name, description))

@@ -30,6 +30,7 @@ class EditFeature(Feature):
     controls: ClassVar = {"edit": "the tools that build and change the body, undo and redo"}
     commands: ClassVar = {
         "edit": Row("page", ("E",), needs="edit", icon="M4 20l1-4L16 5l3 3L8 19zM14 7l3 3"),
+        "cross": Row("page", ("X",), needs="edit"),
         "undo": Row(commands.Undo(), ("Ctrl Z",), icon="M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2"),
         "redo": Row(commands.Redo(), ("Ctrl Y",), icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2"),
         "hand": Row("edit", ("H",), icon=_HAND),

@@ -13,7 +13,9 @@ import * as pick from "./pick.js";
 import { massAt } from "../../ui/hands/pointer.js";
 import { nearest } from "../../stage/screen.js";
 import { perform } from "../../wire/perform.js";
+import { PICKED_UP, takePointer } from "../../ui/hands/take.js";
 import { viserCanvas } from "../../ui/viser/viser.js";
+import { say } from "../../words/words.js";
 
 /**
  * @typedef {import("./pick.js").Place} Place
@@ -30,6 +32,9 @@ const DOUBLE_CLICK = 400;
 const MAX_POINTS = 48;
 /** Milliseconds of vibration when a long press selects. */
 const VIBRATION = 15;
+
+/** What taps call what is dragged; springs are built by clicks anyway. @type {Partial<Record<NonNullable<typeof editing.drag>["kind"], import("../../words/keys.js").Plain>>} */
+const DRAGGED = { move: "taps-selection", marquee: "taps-frame", stroke: "taps-cut", turn: "taps-turn" };
 
 /** The present press: its pointer, where it began and what was there. */
 let press = {
@@ -66,7 +71,6 @@ function down(event) {
   swallow(event);
   const focused = document.activeElement;
   if (focused instanceof HTMLElement || focused instanceof SVGElement) focused.blur();
-  canvas.setPointerCapture(event.pointerId);
   const start = placeOf(event);
   press = { id: event.pointerId, kind: event.pointerType, start, moved: false, shift: event.shiftKey, toggled: false, tool, event };
   if (press.kind === "touch") longPress = setTimeout(selectByLongPress, LONG_PRESS);
@@ -76,6 +80,9 @@ function down(event) {
   else if (tool === "build") beginLine(start, event.altKey);
   else if (tool === "cut") change({ drag: { kind: "stroke", points: [start] }, hover: start });
   else change({ hover: start });
+  const name = editing.drag && DRAGGED[editing.drag.kind];
+  if (name) takePointer(canvas, event, { name: say(name) });
+  else canvas.setPointerCapture(event.pointerId);
 }
 
 /** A second finger moves the view: viser gets the first one, too. @param {HTMLCanvasElement} canvas */
@@ -93,7 +100,9 @@ function passOn(canvas) {
 
 /** Selects what is under a finger that rests, and ends the press. */
 function selectByLongPress() {
+  const canvas = viserCanvas();
   const parts = pick.partAt(press.start, press.kind);
+  if (canvas?.hasPointerCapture(press.id)) canvas.releasePointerCapture(press.id);
   drop();
   if (pick.isNothing(parts)) return;
   navigator.vibrate?.(VIBRATION);
@@ -185,8 +194,8 @@ function up(event) {
   }
 }
 
-/** @param {Place | null} at */
-function hover(at) {
+/** Points at a place, or at none. @param {Place | null} at */
+export function hover(at) {
   if (!at) {
     change({ hover: null });
     return;
@@ -271,6 +280,23 @@ export function line(a, start, b, end) {
   });
 }
 
+// ------------------------------------------------------------------------- the cross of the keys
+/** Does what a click at a place does. @param {Place} at */
+export function clickAt(at) {
+  const { tool, drag } = editing;
+  if (tool === "select") {
+    const parts = pick.partAt(at, "mouse");
+    send(pick.isNothing(parts) ? { do: "select" } : { do: "select", ...parts, toggle: true });
+  } else if (tool === "build") {
+    const start = pick.snapped(at, true);
+    endLine({ kind: "line", from: massAt(at, "mouse"), start, at: start, to: -1 }, false);
+  } else if (tool === "joint") clickCorner(at, performance.now());
+  else if (tool === "cut" && drag?.kind === "stroke") {
+    send({ do: "stroke", points: [...drag.points, at].map(pick.world) });
+    change({ drag: null });
+  } else if (tool === "cut") change({ drag: { kind: "stroke", points: [at] } });
+}
+
 // ------------------------------------------------------------------------- joints
 /** Whether a click on a joint is the second of a double click. @param {number} joint @param {number} now ms */
 function isDoubleClick(joint, now) {
@@ -348,6 +374,7 @@ export function listenToEdits() {
   window.addEventListener("lostpointercapture", ({ pointerId }) => pointerId === press.id && drop(), true);
   document.addEventListener("pointerout", ({ relatedTarget }) => editing.hover && press.id < 0 && !relatedTarget && hover(null));
   window.addEventListener("contextmenu", openMenu, true);
+  window.addEventListener(PICKED_UP, () => clearTimeout(longPress));
   onMessage("selected", ({ masses, springs, joints }) => {
     const { chaining, chain } = editing;
     change({
@@ -356,9 +383,9 @@ export function listenToEdits() {
       chaining: false,
     });
   });
-  onMessage("versions", ({ undo, redo, stiffen }) => {
+  onMessage("versions", ({ undo, redo, count, stiffen }) => {
     if (redo && redo !== editing.redo) giveUp(); // undone elsewhere: as in `stepBack`
-    change({ undo, redo, stiffen });
+    change({ undo, redo, count, stiffen });
   });
   // Without some parts, the numbers of the others have changed.
   let [masses, springs] = [0, 0];

@@ -1,6 +1,7 @@
 // @ts-check
 /** The marks of an edit: what is selected, and what the pointer is doing. */
 import { CORNER, WEDGE, armsOf, cornersOf, crossed, directionOf, distance, endsOf, knobOf, off, partAt, placeOf, restAt, snapped, springsOf, turnable, turnTo } from "./pick.js";
+import { crossAt } from "./cross.js";
 import { editing, onEditing } from "./editing.js";
 import { wrapped } from "../../stage/draw.js";
 import { insertMarksLayer, onMarksRedraw, sight } from "../../stage/sight.js";
@@ -19,8 +20,10 @@ import { say } from "../../words/words.js";
 const RING = 7;
 /** Radius of the ring around a place where a mass would be created, pixels. */
 const NEW_RING = 9;
+/** Half the length of the arms of the cross of the keys, pixels. */
+const CROSS = 16;
 /** From the back to the front. */
-const KINDS = /** @type {const} */ (["springs", "joints", "masses", "moved", "corner", "corner-hover", "under", "rubber", "marquee", "stroke", "cut", "rest", "knob"]);
+const KINDS = /** @type {const} */ (["springs", "joints", "masses", "moved", "corner", "corner-hover", "under", "rubber", "marquee", "stroke", "cut", "rest", "knob", "cross"]);
 /** Paths of marks. @typedef {Partial<Record<typeof KINDS[number], string>>} Marks */
 
 /** @param {Place} at */
@@ -53,7 +56,7 @@ export function addEditMarks() {
   /** @param {Sight} seen */
   const draw = (seen) => {
     if (!editing.on && empty) return;
-    const marks = editing.on ? { ...selection(seen), ...underWay(seen), ...jointMarks(seen) } : {};
+    const marks = editing.on ? { ...selection(seen), ...underWay(seen), ...jointMarks(seen), ...crossMark(seen) } : {};
     KINDS.forEach((kind, i) => set(paths[i], { d: marks[kind] ?? "" }));
     writeRestAngle(seen, words);
     empty = !editing.on;
@@ -191,6 +194,12 @@ function jointMarks(seen) {
     marks.knob = circle(knob, 8);
   }
   return marks;
+}
+
+/** The cross of the keys. @param {Sight} seen @returns {Marks} */
+function crossMark(seen) {
+  const at = crossAt(seen);
+  return at ? { cross: `M${text({ x: at.x - CROSS, y: at.y })}h${2 * CROSS}M${text({ x: at.x, y: at.y - CROSS })}v${2 * CROSS}` } : {};
 }
 
 /** Writes the rest angle next to its knob, if there is one. @param {Sight} seen @param {SVGTextElement} words */

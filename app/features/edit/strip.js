@@ -5,7 +5,8 @@ import { copySelection, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { stepBack } from "./gestures.js";
-import { change, countSelected, editing, isEditable, onEditing, setEditing, setTool } from "./editing.js";
+import { change, countSelected, editing, inWords, isEditable, kindsOf, nameOf, onEditing, setEditing, setTool } from "./editing.js";
+import { addSpeech, tell } from "./speech.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, larger } from "../../ui/looks.js";
@@ -88,7 +89,7 @@ class EditStrip {
   /** The top of the tools, pixels; 0 while they are hidden. */
   top = 0;
   /** What was announced last. */
-  before = { undo: "", redo: "", selected: editing.selected };
+  before = { ...editing };
 
   /** @param {{button: HTMLElement, row: HTMLElement, says: HTMLElement}} tracing controls of the picture behind the body */
   constructor(tracing) {
@@ -113,9 +114,8 @@ class EditStrip {
       this.count, this.hint, ...this.onSelected, this.muscle, makeButton(say("edit-paste"), () => pasteHere(), ""), ...ALWAYS.map(actionButton),
       this.stiffen, this.rests, tracing.button, tracing.says, makeButton(say("edit-done"), () => setEditing(false), ""), tracing.row,
     );
-    this.live = make("div", "softrod-tell");
-    this.live.setAttribute("role", "status");
-    overCanvas().append(this.strip, this.bar, this.live);
+    overCanvas().append(this.strip, this.bar);
+    addSpeech();
   }
 
   show() {
@@ -149,13 +149,20 @@ class EditStrip {
     if (isNew) this.stiffen.scrollIntoView({ block: "nearest", inline: "nearest" }); // on a phone the bar is longer than the screen
   }
 
-  /** Announces a new selection, or what was done or undone. */
+  /** Announces what has changed. Without the tools, whatever changed the scene says so itself. */
   announce() {
-    const { on, selected, undo, redo } = editing;
-    const { before, live } = this;
-    if (on && selected !== before.selected) live.textContent = countSelected() ? say("edit-selected", { parts: nameOf(selected) }) : say("edit-selected.none");
-    else if (undo !== before.undo || redo !== before.redo) live.textContent = redo !== "" && redo === before.undo ? say("edit-undo.done", { what: redo }) : undo;
-    this.before = { undo, redo, selected };
+    const { on, tool, selected, undo, redo, count, chain } = editing;
+    const { before } = this;
+    const news = [];
+    if (on !== before.on) news.push(on ? say("edit-open", { tool: say(COMMANDS[tool].label) }) : say("edit-open.closed"));
+    else if (on && tool !== before.tool) news.push(say(COMMANDS[tool].label));
+    if (on && selected !== before.selected) news.push(countSelected() ? say("edit-selected", { parts: nameOf(selected) }) : say("edit-selected.none"));
+    const isDone = undo !== before.undo || count > before.count;
+    if (redo !== "" && redo !== before.redo && redo === before.undo) news.push(say("edit-undo.done", { what: redo }));
+    else if (undo !== "" && isDone && (on || undo === before.redo)) news.push(undo);
+    if (on && chain >= 0 && before.chain < 0) news.push(say("edit-begins", { mass: String(chain) }));
+    if (news.length) tell(news.join(". "));
+    this.before = { ...editing };
   }
 
   place() {
@@ -206,8 +213,8 @@ export function addEditStrip(tracing) {
   onEditing(() => {
     document.documentElement.toggleAttribute("data-softrod-editing", editing.on);
     // Not at every move of the pointer.
-    const { on, tool, undo, redo, stiffen } = editing;
-    const now = [on, tool, undo, redo, stiffen, takesNewLengths()].join("|");
+    const { on, tool, undo, redo, count, chain, stiffen } = editing;
+    const now = [on, tool, undo, redo, count, chain, stiffen, takesNewLengths()].join("|");
     if (now === shown && editing.selected === selected) return;
     [shown, selected] = [now, editing.selected];
     strip.show();
@@ -219,22 +226,4 @@ export function addEditStrip(tracing) {
   onMarksRedraw(() => strip.place()); // after the scale bar
   window.addEventListener("resize", () => strip.place());
   strip.show();
-}
-
-/** The selected kinds of parts, each as in "2 masses". @param {import("./pick.js").Parts} parts */
-const kindsOf = ({ masses, springs, joints }) => [
-  ...(masses.length ? [say("edit-masses", { count: masses.length })] : []),
-  ...(springs.length ? [say("edit-springs", { count: springs.length })] : []),
-  ...(joints.length ? [say("edit-joints", { count: joints.length })] : []),
-];
-
-/** A selection in words, as in "2 masses, 1 spring". @param {import("./pick.js").Parts} parts */
-const inWords = (parts) => kindsOf(parts).join(", ");
-
-/** The same; a single part by its number. @param {import("./pick.js").Parts} parts */
-function nameOf(parts) {
-  const { masses: [mass], springs: [spring], joints: [joint] } = parts;
-  if (countSelected() !== 1) return inWords(parts);
-  if (mass !== undefined) return say("edit-mass", { number: String(mass) });
-  return spring !== undefined ? say("edit-spring", { number: String(spring) }) : say("edit-joint", { number: String(joint) });
 }

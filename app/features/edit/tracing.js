@@ -10,6 +10,7 @@ import { make, makeButton } from "../../ui/dialog.js";
 import { editing, onEditing } from "./editing.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
+import { takePointer } from "../../ui/hands/take.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { screen } from "../../ui/viser/screen.js";
 import { kept, store } from "../../ui/kept/storage.js";
@@ -190,7 +191,7 @@ class Tracing {
       const canvas = viserCanvas();
       if (!this.moving || !this.picture || !canvas || event.target !== canvas || event.button !== 0 || hold) return;
       swallow(event);
-      canvas.setPointerCapture(event.pointerId);
+      takePointer(canvas, event, { name: say("taps-picture") });
       hold = { id: event.pointerId, x: event.clientX, y: event.clientY, from: { ...this.picture } };
     }, true);
     for (const kind of /** @type {const} */ (["pointermove", "pointerup", "pointercancel", "lostpointercapture"])) {

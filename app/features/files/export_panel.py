@@ -20,6 +20,7 @@ from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press
 from ...words import say
+from ...words.english import refusal
 
 SECONDS = (1, 20)
 """Of motion that a page can have in a file."""
@@ -100,7 +101,7 @@ class ExportPanel:
             data = made.as_one(name)
             self._client.send_file_download(f"{name}.{button.saved_as}", data, save_immediately=True)
         except InputError as error:
-            self._tell("error", say("files-failed"), _sentence(str(error)))
+            self._tell("error", say("files-failed"), refusal(error))
         except Exception:
             self._tell("error", say("files-failed"), say("files-failed.error"))
             raise

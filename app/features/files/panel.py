@@ -19,6 +19,7 @@ from sim.edit.texts import UNNAMED, renamed
 from sim.errors import InputError, SceneError
 from sim.store import files
 from sim.store.places import as_utf8
+from sim.text import Text
 
 from ...session import commands, log
 from ...session.session import Notice
@@ -140,7 +141,7 @@ def open_file(page: Page, letters: str) -> None:
     except (SceneError, InputError) as error:
         notify(Notice("error", say("files-failed"), str(error)))
     except ValueError as error:
-        notify(Notice("error", say("files-failed"), f"{name}: {error}"))
+        notify(Notice("error", say("files-failed"), Text("{name}: {error}", name=name, error=str(error))))
 
 
 def _open_tables(page: Page, tables: tuple[Measurement, ...]) -> None:

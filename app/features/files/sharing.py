@@ -19,6 +19,7 @@ from ...session.notices import Notice
 from ...ui.board import main_settings
 from ...ui.page import Page
 from ...words import say
+from ...words.english import of
 from .messages import Link, Share
 
 MAX_IN_QR = 1200
@@ -47,7 +48,7 @@ class Sharing:
             scene = self._session.snapshot(self._session.scene.name, ask.pose)
             link = self._link(scene, ask)
         except (InputError, SceneError) as error:
-            self._mail.send(Link(problem=str(error)))
+            self._mail.send(Link(problem=of(str(error))))
             return
         self._mail.send(Link(link=link, qr=qr_code(link) if len(link) <= MAX_IN_QR else ""))
 

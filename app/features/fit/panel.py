@@ -28,6 +28,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
 from ...words import say
+from ...words.english import of
 from ...words.keys import Key
 from ...words.settings import label_of
 from ..measure.messages import ShowMeasures
@@ -107,7 +108,7 @@ class FitPanel:
             if len(tables) > 1:
                 self._which = self._choice(tables, chosen)
             about = say("fit-table", name=html.escape(table.name), count=table.time.size)
-            about += "".join(f"<p>{html.escape(remark)}</p>" for remark in table.remarks)
+            about += "".join(f"<p>{html.escape(of(remark))}</p>" for remark in table.remarks)
             self._about = gui.add_html(_text(about), order=FIRST)
             texts = guesses(table, self._scene)
             for i, column in enumerate(table.columns[:MAX_COLUMNS]):
@@ -308,7 +309,7 @@ class FitPanel:
             self._result.content = _text(html.escape(text))
 
     def _say(self, error: Exception) -> None:
-        text = str(error).removeprefix("fit: ")
+        text = of(str(error)).removeprefix("fit: ")
         if self._table is not None:
             self._result.content = _text(say("fit-cannot", why=html.escape(text)))
 
@@ -370,10 +371,10 @@ def _text(content: str) -> str:
 
 def _found_html(found: Fit) -> str:
     """Return the numbers with their intervals, the residuals, and what the data cannot determine, as HTML."""
-    rows = {html.escape(each.name): html.escape(each.text) for each in found.values.values()}
+    rows = {html.escape(each.name): html.escape(of(each.text)) for each in found.values.values()}
     left = [
         say("fit-left", column=each.column, noise=f"{each.noise:.3g} {each.unit}".rstrip())
         for each in found.series
     ]
-    said = "".join(f"<p>{html.escape(line)}</p>" for line in (*left, *found.sentences))
+    said = "".join(f"<p>{html.escape(of(line))}</p>" for line in (*left, *found.sentences))
     return readouts.table(rows) + _text(said)

@@ -7,7 +7,7 @@
  */
 import { has, onMessage, send } from "../../wire/channel.js";
 import { copied } from "../files/share.js";
-import { make, makeButton, makeDialog } from "../../ui/dialog.js";
+import { make, makeButton, makeDialog, untranslated } from "../../ui/dialog.js";
 import { alsoFinds, refreshFinder } from "../../ui/gui/finder.js";
 import { isDark } from "../../ui/viser/viser.js";
 import { say } from "../../words/words.js";
@@ -276,7 +276,8 @@ class Gallery {
     const source = saved ? this.#pictures[name] : new URL(`${name}${isDark() ? "-dark" : ""}.webp`, IMAGES).href;
     if (source) image.src = source;
     image.addEventListener("error", () => image.removeAttribute("src"));
-    button.append(image, make("b", "", title), make("span", "", line));
+    const called = make("b", "", title);
+    button.append(image, saved ? untranslated(called) : called, make("span", "", line));
     button.addEventListener("focus", () => this.#choose(name));
     cell.append(button);
     row.append(cell, ...this.#actions(entry));

@@ -21,6 +21,7 @@ from ...session import commands
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...words import say
+from ...words.english import of
 from . import thumbnails
 from .entries import entries
 from .messages import (
@@ -139,7 +140,7 @@ class Gallery:
                     restored = own_scenes.restore_user_scene(ask.name, folder)
                     said = say("gallery-restored", name=repr(restored))
         except SceneError as error:
-            said = str(error)
+            said = of(str(error))
         self._mail.send(SceneChanged(text=said, undo=trashed))
 
 

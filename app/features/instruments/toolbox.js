@@ -18,6 +18,7 @@ import { make, overCanvas } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { printed } from "../../ui/hands/key_table.js";
 import { isFree } from "../../ui/hands/keys.js";
+import { takePointer } from "../../ui/hands/take.js";
 import { onFrame, shown } from "../../stage/canvas.js";
 import { onMarksRedraw, redrawMarks, sight } from "../../stage/sight.js";
 import { makeSvg } from "../../stage/svg.js";
@@ -55,6 +56,8 @@ class Instruments {
   constructor() {
     this.svg = makeSvg("svg", "softrod-marks softrod-instruments");
     this.svg.removeAttribute("aria-hidden");
+    this.svg.setAttribute("role", "group");
+    this.svg.setAttribute("aria-label", say("instruments-box"));
     this.live = make("div", "softrod-tell");
     this.live.setAttribute("role", "status");
     this.box = new Box((kind, event, button) => this.take(kind, event, button), (kind) => this.toggle(kind));
@@ -179,8 +182,8 @@ class Instruments {
     if (!this.seen || this.dragged.has(instrument) || start.button > 0) return;
     this.dragged.add(instrument);
     start.preventDefault();
-    target.setPointerCapture(start.pointerId);
     const from = shapes.placesOf(instrument.points, this.seen.places, this.seen.on);
+    takePointer(target, start, { name: say(NAMES[instrument.kind]), at: from[index] });
     const reach = index >= 0 && instrument.kind !== "stopwatch" ? shapes.SNAP : -1;
     /** @param {any} event of the pointer */
     const move = (event) => {

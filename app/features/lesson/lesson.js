@@ -55,7 +55,10 @@ function take({ steps }) {
   /** @type {Run} */
   const taken = new LessonRun(card, steps, at, given, {
     blank,
-    begin: (waits) => send({ do: "beginStep", step: taken.at, how: waits ? "wait" : "run" }),
+    begin(waits) {
+      send({ do: "beginStep", step: taken.at, how: waits ? "wait" : "run" });
+      document.dispatchEvent(new CustomEvent("softrod-step", { detail: { at: taken.at, title: taken.step.title } }));
+    },
     run: () => (taken.step.run ? taken.begin() : perform("run")),
     placeFoot(next) {
       foot?.replaceWith(next);

@@ -29,7 +29,7 @@ from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
 from ...words import say
-from ...words.english import step_of, written
+from ...words.english import of, step_of, written
 from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
@@ -233,7 +233,7 @@ class LessonMaker:
         step = ask.step if isinstance(ask, asks.OfStep) else -1
         field, sentence = "", ""
         if error is not None:
-            match = _REFUSAL.fullmatch(str(error))
+            match = _REFUSAL.fullmatch(of(str(error)))
             assert match is not None, "it matches any text"
             field = match[1] or part
             sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name

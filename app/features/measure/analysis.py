@@ -17,6 +17,7 @@ from sim.errors import InputError
 from ...session.plots import Plot, Span
 from ...ui import readouts
 from ...words import find, say
+from ...words.english import of
 from ...words.keys import Key
 
 Floats = NDArray[np.float64]
@@ -83,7 +84,7 @@ def fits_of(plot: Plot, span: Span, name: str) -> tuple[Fit, ...]:
         try:
             fits.append(Fit(fit_curve(name, x, y), "", ends))
         except InputError as error:
-            fits.append(Fit(None, f"{error}", ends))
+            fits.append(Fit(None, of(str(error)), ends))
     return tuple(fits)
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, ClassVar
 
 from ...session.plots import PlotSpec, plot_text
 from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
-from ...ui.page import Page
+from ...ui.page import Page, Plots
 from ...wire.messages import FromPage
 from ..hands.messages import Pick
-from .messages import FirstPlot, InView, Seen
+from .messages import FirstPlot, InView, Melody, Seen
 from .panel import MeasurePanel
 
 if TYPE_CHECKING:
@@ -21,6 +22,18 @@ if TYPE_CHECKING:
 def _plot_angle(_: Session, feature: MeasureFeature) -> None:
     if feature.panel is not None:
         feature.panel.plot_angle()
+
+
+def _hear(_: Session, feature: MeasureFeature) -> None:
+    feature.play_plot()
+
+
+def _hear_live(_: Session, feature: MeasureFeature) -> None:
+    feature.turn_live()
+
+
+_AGAIN = 3.5
+"""Seconds after a plot is played within which the key plays the next one."""
 
 
 class MeasureFeature(Feature):
@@ -33,6 +46,8 @@ class MeasureFeature(Feature):
     messages: ClassVar = {Pick: "", Seen: "", FirstPlot: "measure", InView: "measure"}
     commands: ClassVar = {
         "plot": Row(_plot_angle, ("G",), needs="measure"),
+        "hear": Row(_hear, ("H",)),
+        "hearLive": Row(_hear_live, ("Shift H",)),
     }
     controls: ClassVar = {"measure": "the Measure tab"}
 
@@ -41,6 +56,7 @@ class MeasureFeature(Feature):
         self.panel: MeasurePanel | None = None
         self._remembered: tuple[PlotSpec, ...] = ()
         self._is_visible = True
+        self._played, self._played_at = 0, -math.inf
 
     @property
     def specs(self) -> tuple[PlotSpec, ...]:
@@ -106,6 +122,33 @@ class MeasureFeature(Feature):
     def refresh(self) -> None:
         if self.panel is not None:
             self.panel.refresh()
+
+    # --------------------------------------------------------------------- sound
+    @property
+    def _plots(self) -> list[tuple[Plots, int]]:
+        """The open plots, those first that are visible."""
+        lists = sorted(self.page.plots, key=lambda plots: not plots.looked_at)
+        return [(plots, i) for plots in lists for i in range(len(plots))]
+
+    def play_plot(self) -> None:
+        """Play a plot as sound; while one is played, the next one."""
+        plots, now = self._plots, self.session.now()
+        if not plots:
+            self.page.mail.send(Melody())
+            return
+        self._played = (self._played + (now - self._played_at < _AGAIN)) % len(plots)
+        self._played_at = now
+        of, index = plots[self._played]
+        of.play(index)
+
+    def turn_live(self) -> None:
+        """Hear the plot that was played last while the body moves, or no longer."""
+        plots = self._plots
+        if not plots:
+            self.page.mail.send(Melody())
+            return
+        of, index = plots[min(self._played, len(plots) - 1)]
+        of.turn_live(index)
 
     # --------------------------------------------------------------------- inside
     def _choose(self, mass: int) -> None:

@@ -5,6 +5,7 @@
  */
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { readPhases } from "./phase.js";
+import { listenToPlots } from "./sound.js";
 import { showTab } from "../../ui/gui/gui.js";
 
 /** Milliseconds between two checks whether plots are visible. */
@@ -17,6 +18,7 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 
 function begin() {
   readPhases();
+  listenToPlots();
   onMessage("showMeasures", () => {
     const { measuring = "" } = pageState();
     const count = titles().length;

@@ -4,27 +4,63 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from msgspec import Meta
+from msgspec import Meta, Struct
 
-from ...wire.messages import Event, Number, OwnBody
+from ...wire.messages import Event, Number, OwnBody, State
 
 
 class ShowMeasures(Event, frozen=True, kw_only=True):
     """Turn to the Measure tab, where a plot is about to appear."""
 
 
-class Melody(Event, frozen=True, kw_only=True):
-    """Play a plot as a melody.
+class HeardLine(Struct, frozen=True):
+    """A line of a plot that is heard.
 
     Attributes:
-        name: what is plotted.
+        name: of its quantity.
         unit: of its values.
-        values: at equal intervals of time; None for gaps.
+        bottom, top: the values of the lowest and of the highest tone.
+        turns: whether it is an angle that goes round, and has circular tones instead.
+        values: at equal intervals; None for gaps.
     """
 
     name: str
     unit: str
+    bottom: float
+    top: float
+    turns: bool
     values: tuple[float | None, ...]
+
+
+class Melody(Event, frozen=True, kw_only=True):
+    """Play a plot as a melody.
+
+    Attributes:
+        plot: id of the control that draws it; empty where there is no plot.
+        way: what passes while it is played: the time, of a plot over time or of one over its last line, or
+            the frequency of a spectrum.
+        moments: the times or frequencies of the values.
+        lines: what is heard; none without values.
+    """
+
+    plot: str = ""
+    way: Literal["time", "path", "frequency"] = "time"
+    moments: tuple[float, ...] = ()
+    lines: tuple[HeardLine, ...] = ()
+
+
+class Tones(State, frozen=True, kw_only=True):
+    """The newest values of the plot that is heard while the body moves.
+
+    Attributes:
+        plot: id of the control that draws it; empty while none is heard.
+        time: of the values, s.
+        lines: each with one value.
+    """
+
+    plot: str = ""
+    time: float = 0.0
+    lines: tuple[HeardLine, ...] = ()
 
 
 class FirstPlot(OwnBody, frozen=True):

@@ -19,6 +19,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
 from ...words import say
+from ...words.english import refusal
 from ...words.quantities import part_called, quantity_of
 from .messages import ShowMeasures
 from .plot_list import PlotList
@@ -167,7 +168,7 @@ class MeasurePanel:
         try:
             find(self._chosen, self._session.scene)
         except InputError as error:
-            return REFUSED.format(html.escape(f"{error}."))
+            return REFUSED.format(html.escape(refusal(error)))
         return ""
 
     # --------------------------------------------------------------------- plots

@@ -1,6 +1,8 @@
 // @ts-check
 /** The pointer over a plot of one quantity over another reads values: viser's plots do that by themselves. */
 
+import { makeSvg } from "../../stage/svg.js";
+
 /** Pixels between the pointer and what is read. */
 const AWAY = 14;
 
@@ -18,6 +20,27 @@ const numbers = (text) => (text ?? "").split(" ").map(Number);
 export function valuesAt(x, y, [left, right, bottom, top], [x0, x1, y0, y1]) {
   if (!(x >= left && x <= right && y >= top && y <= bottom)) return null;
   return [x0 + ((x - left) / (right - left)) * (x1 - x0), y0 + ((bottom - y) / (bottom - top)) * (y1 - y0)];
+}
+
+/**
+ * Marks in a plot where its sound is: a place, or a line where there is no height; nothing without either.
+ *
+ * @param {HTMLElement} element that has the plot @param {number | null} right @param {number | null} up
+ */
+export function markPhase(element, right, up) {
+  const svg = element.querySelector("svg.softrod-phase");
+  const before = element.querySelector(".softrod-heard");
+  if (!(svg instanceof SVGSVGElement) || right === null) {
+    before?.remove();
+    return;
+  }
+  // The server draws the plot anew while the body moves.
+  const made = before ?? svg.appendChild(makeSvg("path", "softrod-heard"));
+  const [left, end, bottom, top] = numbers(svg.dataset.edges);
+  const [x0, x1, y0, y1] = numbers(svg.dataset.ends);
+  const x = left + ((right - x0) / (x1 - x0)) * (end - left);
+  const y = up === null ? 0 : bottom - ((up - y0) / (y1 - y0)) * (bottom - top);
+  made.setAttribute("d", up === null ? `M${x} ${top}V${bottom}` : `M${x} ${top}V${bottom}M${left} ${y}H${end}`);
 }
 
 /** Begins to read. */

@@ -119,7 +119,7 @@ def phase_svg(
         f'<svg class="softrod-phase" data-edges="{edges}" data-ends="{ends}" data-right="{to_right}" '
         f'data-up="{upwards}" viewBox="0 0 {WIDTH:g} {HEIGHT:g}" role="img" '
         f'aria-label="{html.escape(name)}"><path class="softrod-phase-grid" d="{"".join(lines)}"/>'
-        f"{''.join(texts)}{''.join(curves)}</svg>"
+        f'<g aria-hidden="true">{"".join(texts)}</g>{"".join(curves)}</svg>'
     )
 
 

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-import numpy as np
 import viser
 
 from sim.analysis.curves import CURVES
@@ -21,10 +20,10 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...viser_inside import element_id
 from ...words import say
-from ...words.english import name_of
+from ...words.english import name_of, refusal
 from ...words.keys import Key
-from . import analysis, plots
-from .messages import Melody
+from . import analysis, hearing, plots
+from .messages import Tones
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
@@ -47,9 +46,6 @@ PICTURE: Key = "measure-picture"
 HEAR: Key = "measure-hear"
 REMOVE: Key = "measure-remove"
 """Buttons below a plot."""
-
-NOTES = 240
-"""Values of a melody."""
 
 PICTURE_PIECES = 1000
 """Pieces of a curve in a picture."""
@@ -85,6 +81,10 @@ class _OpenPlot:
             self._reading = gui.add_html("", order=order + 2)
             keys = (ADD, TABLE, PICTURE, HEAR, REMOVE) if is_own else (TABLE, PICTURE, HEAR)
             self.buttons = gui.add_button_group("", tuple(map(say, keys)), order=order + 3)
+            hint = say("measure-hear-live.hint")
+            self.live = gui.add_checkbox(
+                say("measure-hear-live"), initial_value=False, hint=hint, order=order + 3.5
+            )
             self._lists = self._add_lists(order + 4) if is_own else ()
 
     def _add_lists(self, order: float) -> tuple[viser.GuiDropdownHandle[str], ...]:
@@ -154,7 +154,7 @@ class _OpenPlot:
     def remove(self) -> None:
         """Remove it from the page."""
         self._is_removed = True
-        for handle in (self._title, self._reading, self.buttons, *self._lists):
+        for handle in (self._title, self._reading, self.buttons, self.live, *self._lists):
             handle.remove()
         self.chart.remove()
 
@@ -205,16 +205,23 @@ class _OpenPlot:
 
         file_worker.submit(make)
 
+    @property
+    def id(self) -> str:
+        """The id of the control that draws it; empty before it is drawn."""
+        handle = self.chart.handle
+        return "" if handle is None else element_id(handle)
+
     def play(self) -> None:
-        """Send the past of the first quantity as a melody."""
-        quantity, rows = self.plot.quantities[0], self.plot.window(self._span)
-        if not len(rows):
-            return
-        times = np.linspace(rows[0, 0], rows[-1, 0], NOTES)
-        # At the nearest later sample: values between two samples are unknown.
-        places = np.minimum(np.searchsorted(rows[:, 0], times), len(rows) - 1)
-        values = tuple(float(v) if np.isfinite(v) else None for v in rows[places, 1])
-        self._page.mail.send(Melody(name=quantity.name, unit=quantity.unit, values=values))
+        """Send what is in view as a melody."""
+        if self._analysis == analysis.SPECTRUM:
+            drawn = analysis.draw_spectra(self.plot, self._span, hearing.NOTES)
+            self._page.mail.send(hearing.spectrum_melody(self.plot, drawn, self.id))
+        else:
+            self._page.mail.send(hearing.melody(self.plot, self._span, self.id))
+
+    def sound(self) -> None:
+        """Send its newest values as tones."""
+        self._page.mail.send(hearing.tones(self.plot, self._span, self.id))
 
     def _send(self, suffix: str, data: bytes) -> None:
         name = f"{self._page.session.scene.name}-{files.safe_name(self.plot.spec.names[0])}{suffix}"
@@ -249,6 +256,7 @@ class PlotList:
         self._pending: tuple[PlotSpec, ...] | None = None  # replace the plots with the next scene
         self._due = self._read_due = 0.0
         self._count = 0
+        self._live: _OpenPlot | None = None
         self.looked_at = True
 
     def __len__(self) -> int:
@@ -285,7 +293,7 @@ class PlotList:
         for shown in list(self._plots):
             before = shown.plot
             try:
-                plot = Plot(before.spec, self._session.scene)
+                plot = Plot(before.spec, self._session.scene, before.in_words)
             except InputError:
                 self._remove(shown)
                 continue
@@ -304,6 +312,8 @@ class PlotList:
         session, now = self._session, self._session.now()
         for shown in self._plots:
             shown.plot.sample(session)
+            if shown is self._live:
+                shown.sound()
             if shown.zoom is not None and shown.run != shown.plot.run:
                 shown.renew()
         if now < self._due or not self.looked_at:
@@ -323,9 +333,9 @@ class PlotList:
         try:
             if len(self._plots) == MAX_PLOTS:
                 raise InputError(say("measure-no-room", count=MAX_PLOTS))
-            plot = Plot(spec, self._session.scene)
+            plot = Plot(spec, self._session.scene, in_words=self._extend_by is None)
         except InputError as error:
-            self._page.notify(Notice("error", say("measure-cannot"), f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot"), refusal(error)))
             return
         self._count += 1
         shown = _OpenPlot(
@@ -343,6 +353,7 @@ class PlotList:
             if event.client_id is not None and label in shown.buttons.options:
                 self._page.later(presses[label])
 
+        on_change(shown.live, lambda: self._page.later(lambda: self._listen(shown, shown.live.value)))
         plot.sample(self._session)
         self._changed()
         shown.show(reads=True)
@@ -350,9 +361,35 @@ class PlotList:
     def zoom(self, control: str, part: tuple[float, float] | None) -> None:
         """Show a part of the time of the plot whose chart has this id, or all of it."""
         for shown in self._plots:
-            handle = shown.chart.handle
-            if handle is not None and element_id(handle) == control:
+            if shown.id == control and isinstance(shown.chart, plots.TimeChart):
                 shown.zoom_to(part)
+
+    # --------------------------------------------------------------------- sound
+    def play(self, index: int) -> None:
+        """Send one of the plots as a melody."""
+        self._plots[index].play()
+
+    def turn_live(self, index: int) -> None:
+        """Hear one of the plots while the body moves, or no longer."""
+        shown = self._plots[index]
+        shown.live.value = shown is not self._live
+        self._listen(shown, shown.live.value)
+
+    def fall_silent(self) -> None:
+        """Hear no plot while the body moves."""
+        if self._live is not None:
+            self._live.live.value = False
+            self._live = None
+            self._page.mail.send(Tones())
+
+    def _listen(self, shown: _OpenPlot, on: bool) -> None:
+        """Hear a plot while the body moves, and no other one; or no longer."""
+        for plots_of in self._page.plots:
+            plots_of.fall_silent()
+        if on and shown in self._plots:
+            self._live = shown
+            shown.live.value = True
+            shown.sound()
 
     def redraw(self) -> None:
         """Send all plots."""
@@ -363,6 +400,8 @@ class PlotList:
         if shown not in self._plots:
             return
         self._plots.remove(shown)
+        if shown is self._live:
+            self.fall_silent()
         shown.remove()
         if not (self._session.follows_energy or any(each.wants_energy for each in self._page.plots)):
             self._session.simulation.track_energy(False)
@@ -377,7 +416,7 @@ class PlotList:
         try:
             plot = Plot(PlotSpec((*spec.names, name), spec.over), self._session.scene)
         except InputError as error:
-            self._page.notify(Notice("error", say("measure-cannot-add"), f"{error}."))
+            self._page.notify(Notice("error", say("measure-cannot-add"), refusal(error)))
             return
         plot.take_over(shown.plot)
         shown.chart.remove()

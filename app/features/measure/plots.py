@@ -14,11 +14,12 @@ from viser import uplot
 import sim
 from sim.analysis.swings import swings
 
+from ...lessons import quantity_text
 from ...session.plots import Plot, PlotWindow, Span
 from ...stage.colors import Palette
 from ...stage.looks import FONT
 from ...ui import readouts
-from ...words import say
+from ...words import number, say
 from ...words.keys import Key
 from ...words.quantities import kind_of_part, quantity_of
 from .analysis import DrawnSpectrum, Fit
@@ -122,11 +123,14 @@ class TimeChart:
 class SvgChart:
     """A plot that the server draws, as SVG; arguments are those of `TimeChart`."""
 
-    handle = None
-
     def __init__(self, gui: viser.GuiApi, order: float) -> None:
         self._gui, self._order = gui, order
         self._chart: viser.GuiHtmlHandle | None = None
+
+    @property
+    def handle(self) -> viser.GuiHtmlHandle | None:
+        """viser's handle; None before it is drawn."""
+        return self._chart
 
     def remove(self) -> None:
         """Remove it from the page."""
@@ -157,9 +161,12 @@ class SpectrumChart(SvgChart):
         """Send the drawing."""
         labels = (
             say("measure-axis-frequency"),
-            say("measure-axis-amplitude", quantity=_labelled(plot.quantities)),
+            say("measure-axis-amplitude", quantity=_labelled(plot, plot.quantities)),
         )
-        name = say("measure-title-spectrum", quantity=", ".join(plot.spec.names))
+        name = say(
+            "measure-title-spectrum",
+            quantity=", ".join(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
+        )
         series = colors_of(plot, colors)
         self.put(
             phase_svg(drawn.frequencies, drawn.amplitudes, None, series, labels, name, peaks=drawn.peaks)
@@ -170,8 +177,16 @@ def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits
     """Return a plot over another quantity than time, as HTML."""
     count, values = len(plot.spec.names), drawn.values
     turned = any(plot.turned)
-    labels = _labelled(plot.quantities[-1:]), downwards(_labelled(plot.quantities[:count]), turned)
-    name = say("measure-title-over", quantity=", ".join(plot.spec.names), over=plot.spec.over)
+    labels = (
+        _labelled(plot, plot.quantities[-1:]),
+        downwards(_labelled(plot, plot.quantities[:count]), turned),
+    )
+    name = say(
+        "measure-title-over",
+        quantity=", ".join(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
+        over=called(plot, plot.quantities[-1]),
+    )
+    name = f"{name}. {' '.join(_ranges(plot, drawn))}"
     places = [np.linspace(*fit.ends, FIT_POINTS) for fit in fits]
     curves = [(x, fit.at(x)) for x, fit in zip(places, fits, strict=True)]
     return phase_svg(
@@ -179,12 +194,23 @@ def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits
     )
 
 
+def _ranges(plot: Plot, drawn: PlotWindow) -> Iterator[str]:
+    """Yield a sentence about each quantity, for a screen reader: its value now, and its range."""
+    for quantity, some in zip(plot.quantities, drawn.values[1:, : drawn.past], strict=True):
+        if (known := some[np.isfinite(some)]).size:
+            now, low, high = (
+                f"{readouts.grouped(float(value))} {quantity.unit}".strip()
+                for value in (known[-1], known.min(), known.max())
+            )
+            yield say("measure-range", quantity=called(plot, quantity), now=now, low=low, high=high)
+
+
 def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[uplot.Series, ...]:
     until: list[uplot.Series] = []
     whole: list[uplot.Series] = []
     for quantity, color, has_values in zip(plot.quantities, series, some[1:], strict=True):
         line: uplot.Series = {
-            "label": f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name,
+            "label": ", ".join(filter(None, (called(plot, quantity), quantity.unit))),
             "stroke": color,
             "width": 2.0,
             "scale": f"y{plot.units.index(quantity.unit)}",
@@ -250,12 +276,18 @@ def colors_of(plot: Plot, colors: Palette) -> list[str]:
     return [colors.css(name) for name in taken]
 
 
-def _labelled(quantities: Sequence[sim.Quantity]) -> str:
+def called(plot: Plot, quantity: sim.Quantity) -> str:
+    """Return what a quantity of a plot is called."""
+    return quantity_text(quantity.name) if plot.in_words else quantity.name
+
+
+def _labelled(plot: Plot, quantities: Sequence[sim.Quantity]) -> str:
     """Return the axis label of quantities of one or two units."""
     units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
     if len(quantities) > 1 or quantities[0].formula:
         return _label(quantities, units)
-    return f"{quantities[0].name}, {units}" if units else quantities[0].name
+    name = called(plot, quantities[0])
+    return f"{name}, {units}" if units else name
 
 
 def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
@@ -278,12 +310,14 @@ def downwards(label: str, turned: bool) -> str:
 
 def title(plot: Plot, series: Sequence[str]) -> str:
     """Return the names of the quantities in their colours, as HTML."""
+    is_name = "" if plot.in_words else ' translate="no"'
+    *upwards, last = (html.escape(called(plot, quantity)) for quantity in plot.quantities)
+    over = " " + say("measure-over-one", over=last) if plot.spec.over else ""
     keys = (
-        f'<span translate="no"><i style="background:{color}"></i>{html.escape(name)}</span>'
-        for name, color in zip(plot.spec.names, series, strict=True)
+        f'<span{is_name}><i style="background:{color}"></i>{name}</span>'
+        for name, color in zip(upwards if over else [*upwards, last], series, strict=True)
     )
-    over = " " + say("measure-over-one", over=html.escape(plot.spec.over)) if plot.spec.over else ""
-    return f'<div class="softrod-plot-title">{" ".join(keys)}{over}</div>'
+    return f'<div class="softrod-plot-title" role="heading" aria-level="2">{" ".join(keys)}{over}</div>'
 
 
 def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:
@@ -306,7 +340,7 @@ def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:
             found = None if np.isnan(values).any() else swings(time, values)
             if found is not None and longest <= found.period / _PER_PERIOD:
                 amplitude = f"{readouts.grouped(found.amplitude)} {quantity.unit}".strip()
-                name, period = html.escape(quantity.name), f"{found.period:.4g}"
+                name, period = html.escape(called(plot, quantity)), number(found.period, 4)
                 amplitude = html.escape(amplitude)
                 if found.decrement is None:
                     lines.append(say("measure-swing", quantity=name, period=period, amplitude=amplitude))
@@ -317,7 +351,7 @@ def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:
                         quantity=name,
                         period=period,
                         amplitude=amplitude,
-                        percent=f"{100.0 * found.loss:.2g}",
+                        percent=number(100.0 * found.loss, 2),
                     )
                 )
                 break

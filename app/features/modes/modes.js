@@ -3,12 +3,12 @@
  * The strip of modes over the bar of time: a bar for each slow vibration of the body, and one for what is in none. A bar
  * that is pointed at shows its shape; one that is dragged puts the body into it; one that is pressed drives it.
  */
-import { listenToMelodies } from "./melody.js";
 import { ShapeMarks } from "./shape_marks.js";
 import { few, percent, readLevels, readShapes } from "./shapes.js";
 import { addSound } from "./sound.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { withKey } from "../../ui/hands/key_table.js";
+import { PICKED_UP, takePointer } from "../../ui/hands/take.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
@@ -218,6 +218,7 @@ class ModeStrip {
     element.addEventListener("pointerdown", (event) => this.down(event, element, box, i));
     element.addEventListener("pointermove", (event) => this.move(event, i));
     for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) element.addEventListener(kind, (event) => this.up(event, i));
+    element.addEventListener(PICKED_UP, () => clearTimeout(this.press?.timer)); // no long press
     element.addEventListener("contextmenu", (event) => event.preventDefault());
     element.addEventListener("keydown", (event) => this.key(event, i));
     element.addEventListener("keyup", (event) => {
@@ -231,11 +232,13 @@ class ModeStrip {
   down(event, element, box, i) {
     if (event.button > 0 || this.press) return;
     event.preventDefault();
-    element.setPointerCapture(event.pointerId);
     // A move that waits for a slow page comes before its next picture.
     const timer = setTimeout(() => requestAnimationFrame(() => this.press && !this.press.moved && this.drive(i)), HOLD);
     const level = Math.min(this.level(i), 1);
-    this.press = { id: event.pointerId, y: event.clientY, level, height: box.clientHeight || 1, moved: false, timer };
+    const height = box.clientHeight || 1;
+    this.press = { id: event.pointerId, y: event.clientY, level, height, moved: false, timer };
+    const { bottom, height: seen } = box.getBoundingClientRect();
+    takePointer(element, event, { name: element.ariaLabel ?? "", at: { x: event.clientX, y: bottom - level * seen } });
   }
 
   /** @param {PointerEvent} event @param {number} i */
@@ -341,7 +344,6 @@ class ModeStrip {
 
 /** Puts up the strip, and begins to listen. */
 function begin() {
-  listenToMelodies();
   strip = new ModeStrip();
 }
 

@@ -7,7 +7,7 @@ import { tonesOf } from "./tones.js";
 import { onMessage, pageState } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { withKey } from "../../ui/hands/key_table.js";
-import { kept, store } from "../../ui/kept/storage.js";
+import { click, loudspeaker, note, setVolume, volumeNow } from "../../ui/loudspeaker.js";
 import { say } from "../../words/words.js";
 
 /**
@@ -15,7 +15,6 @@ import { say } from "../../words/words.js";
  * @typedef {import("./shapes.js").Levels} Levels
  */
 
-const STORED = "softrod-volume";
 /** Seconds in which a tone follows a change. */
 const FOLLOWS = 0.02;
 /** Seconds after a change from which a tone decays by itself: the next levels are late. */
@@ -77,48 +76,11 @@ export class Voices {
   }
 }
 
-/**
- * Plays a short noise.
- *
- * @param {BaseAudioContext} context @param {AudioNode} to
- * @param {number} seconds @param {number} loud 0..1 @param {number} pitch centre frequency, Hz
- */
-function click(context, to, seconds, loud, pitch) {
-  const buffer = context.createBuffer(1, Math.ceil(4 * seconds * context.sampleRate), context.sampleRate);
-  const samples = buffer.getChannelData(0);
-  for (let i = 0; i < samples.length; i++) {
-    samples[i] = loud * (2 * Math.random() - 1) * Math.exp(-i / (seconds * context.sampleRate));
-  }
-  const [source, filter] = [context.createBufferSource(), context.createBiquadFilter()];
-  Object.assign(source, { buffer });
-  filter.type = "bandpass";
-  filter.frequency.value = pitch;
-  source.connect(filter).connect(to);
-  source.start();
-}
-
-/** The output of the page; null before the first gesture. @type {{context: AudioContext, out: GainNode} | null} */
-let heard = null;
-let volume = Number(kept(STORED) || 0.5);
-
-/** The output of the page; the first call has to be in a gesture. */
-export function loudspeaker() {
-  if (!heard) {
-    const context = new AudioContext();
-    const [out, limit] = [context.createGain(), context.createDynamicsCompressor()];
-    out.gain.value = volume * volume;
-    out.connect(limit).connect(context.destination);
-    heard = { context, out };
-  }
-  void heard.context.resume();
-  return heard;
-}
-
 /** The button, the volume, and the sound. */
 export function addSound() {
   const button = makeButton("", () => turn(!on), "softrod-modes-sound");
   const slider = make("input", "softrod-modes-volume");
-  Object.assign(slider, { type: "range", min: "0", max: "1", step: "0.05", value: String(volume), ariaLabel: say("modes-volume"), title: say("modes-volume") });
+  Object.assign(slider, { type: "range", min: "0", max: "1", step: "0.05", value: String(volumeNow()), ariaLabel: say("modes-volume"), title: say("modes-volume") });
   let on = false;
   /** @type {Voices | null} */
   let voices = null;
@@ -145,27 +107,24 @@ export function addSound() {
       const { context, out } = loudspeaker();
       voices ??= new Voices(context, out);
       broken = pageState().broken ?? 0;
-    } else if (heard && voices) {
-      voices.rest(heard.context.currentTime);
+    } else if (voices) {
+      voices.rest(voices.context.currentTime);
     }
     show();
   };
   /** Whether the sound is wanted as soon as there are modes. */
   let wanted = false;
-  slider.addEventListener("input", () => {
-    volume = Number(slider.value);
-    store(STORED, String(volume));
-    // Squared, as loudness is perceived.
-    heard?.out.gain.setTargetAtTime(volume * volume, heard.context.currentTime, FOLLOWS);
-  });
+  slider.addEventListener("input", () => setVolume(Number(slider.value)));
   /** @param {number} seconds @param {number} loud @param {number} pitch */
   const knock = (seconds, loud, pitch) => {
-    if (!heard || performance.now() / 1e3 - clicked < APART) return;
+    if (performance.now() / 1e3 - clicked < APART) return;
     clicked = performance.now() / 1e3;
-    click(heard.context, heard.out, seconds, loud, pitch);
+    const { context, out } = loudspeaker();
+    click(context, out, seconds, loud, pitch);
+    note({ kind: "click", at: performance.now(), pan: 0 });
   };
   onMessage("pageState", ({ playing, broken: now = 0 }) => {
-    if (on && heard && voices && !playing) voices.rest(heard.context.currentTime);
+    if (on && voices && !playing) voices.rest(voices.context.currentTime);
     if (on && now > broken) knock(CRACK, 0.9, 900);
     broken = now;
   });
@@ -186,8 +145,8 @@ export function addSound() {
     },
     /** Takes their present levels. @param {Levels} levels */
     hear({ levels, touching }) {
-      if (on && heard && voices && pageState().playing) {
-        voices.follow(tonesOf(frequencies, dampings, levels, pageState().speed ?? 1), heard.context.currentTime);
+      if (on && voices && pageState().playing) {
+        voices.follow(tonesOf(frequencies, dampings, levels, pageState().speed ?? 1), voices.context.currentTime);
         if (loose && touching > TOUCH) knock(CLICK, Math.min(0.15 + Math.sqrt(touching), 1), 2400);
       }
       if (touching > TOUCH) loose = false;

@@ -47,23 +47,3 @@ export function tonesOf(frequencies, dampings, amplitudes, speed = 1) {
     return { pitch, decay: 2 * Math.PI * frequency * damping * speed, gain };
   });
 }
-
-/** Hz of the lowest value of a plot. */
-export const LOW = 220;
-/** Hz of the highest value of a plot. */
-export const HIGH = 880;
-
-/**
- * A plot as pitch: equal steps of the values are equal intervals.
- *
- * @param {ArrayLike<number>} values of equal distance in time; those that are no numbers are rests
- * @returns {number[]} Hz, 0 for a rest
- */
-export function melodyOf(values) {
-  const finite = Array.from(values).filter(Number.isFinite);
-  const [low, high] = [Math.min(...finite), Math.max(...finite)];
-  const range = high - low || 1;
-  return Array.from(values, (value) =>
-    Number.isFinite(value) ? LOW * (HIGH / LOW) ** (high > low ? (value - low) / range : 0.5) : 0,
-  );
-}

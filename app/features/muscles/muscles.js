@@ -10,6 +10,7 @@ import { change, editing, onEditing } from "../edit/editing.js";
 import { beatsAt, countMuscles } from "../../stage/swing.js";
 import { make, makeButton } from "../../ui/dialog.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
+import { takePointer } from "../../ui/hands/take.js";
 import { isSheet } from "../../ui/gui/panel.js";
 import { floorOf } from "../../stage/dock.js";
 import { makeSvg, set } from "../../stage/svg.js";
@@ -322,7 +323,8 @@ class MuscleStrip {
     const held = this.dotsOf(this.marks).find(({ key }) => key === mark.key) ?? mark;
     const along = { x: false, y: false };
     this.drag = { id, held, all: this.marks.filter(isChosen), ...this.placeIn(event), moved: false, along, toggles: was && shiftKey, alone: was && !shiftKey, way: NOWHERE };
-    this.wave.setPointerCapture(id);
+    const { left, top } = this.wave.getBoundingClientRect(), at = placeOf(mark, this.box);
+    takePointer(this.wave, event, { name: say("muscles-mark", { muscle: nameOf(mark) }), at: { x: left + at.x, y: top + at.y } });
     send({ do: "visit" });
     this.drawMarks();
   }

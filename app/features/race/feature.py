@@ -22,7 +22,7 @@ from ...ui.feature import Drawn, Feature
 from ...ui.opening import asked_scene
 from ...ui.page import Page
 from ...words import say
-from ...words.english import name_of
+from ...words.english import name_of, refusal
 from .messages import Race, RaceAnswer
 from .rivals import Rivals
 
@@ -98,8 +98,7 @@ class RaceFeature(Feature):
             own = session.snapshot(session.scene.name, with_pose=False)
             ways = [finish_of(own, on_terrain(rival, own), session.can_wait) for rival in rivals]
         except (SceneError, InputError) as error:
-            text = str(error)
-            self.page.mail.send(RaceAnswer(problem=f"{text[:1].upper()}{text[1:]}."))
+            self.page.mail.send(RaceAnswer(problem=refusal(error)))
             return
         session.post(BeginRace(rivals, max(ways, key=abs)))
         self.page.mail.send(RaceAnswer(problem=""))

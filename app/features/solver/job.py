@@ -17,6 +17,7 @@ from ...background import BackgroundWorker
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...words import say
+from ...words.english import of
 
 MAX_MASSES = 200
 """Masses of a body that a page works on; pages would notice the work on larger ones."""
@@ -27,7 +28,7 @@ worker = BackgroundWorker()
 
 def sentence(error: Exception | str) -> str:
     """Return an error as a sentence of its own, without the name of the function that raised it."""
-    text = str(error)
+    text = of(str(error))
     for name in ("make_stable", "damp_vibration", "set_wishes"):
         text = text.removeprefix(f"{name}: ")
     return f"{text[:1].upper()}{text[1:]}."

@@ -184,6 +184,7 @@ function begin() {
   play.classList.add("softrod-play");
   const forward = iconButton(FACES.step, () => perform(nextStep()));
   const clock = make("output", "softrod-clock");
+  clock.ariaLive = "off"; // it never stands still
   clock.translate = false;
   const [time, speed, line] = [timeSlider(), speedBox(), offers()];
   const more = makeButton("", () => (more.ariaExpanded = String(bar.toggleAttribute("data-more"))), "softrod-more");

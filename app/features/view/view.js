@@ -1,10 +1,10 @@
 // @ts-check
 /** The View menu over the bar of time: looks of the page, and the help. */
-import { fit } from "../../stage/camera.js";
+import { fit, moveView } from "../../stage/camera.js";
 import { isChasing, toggleChase } from "../../stage/chase.js";
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { COMMANDS } from "../../wire/commands.js";
-import { iconHtml, make, makeButton, overCanvas } from "../../ui/dialog.js";
+import { iconHtml, make, makeButton, overCanvas, untranslated } from "../../ui/dialog.js";
 import { keyOf } from "../../ui/hands/key_table.js";
 import { openFinder } from "../../ui/gui/finder.js";
 import { isSheet } from "../../ui/gui/panel.js";
@@ -41,6 +41,18 @@ const ENTRIES = [
   { name: "help", part: "help" },
 ];
 
+/** A part of the view's height, and how many times nearer. */
+const [STEP, NEARER] = [0.2, 1.25];
+/** Buttons that move the view as dragging and the wheel do: sign, name, and what they do. @type {[string, import("../../words/keys.js").Plain, [number, number, number]][]} */
+const MOVES = [
+  ["◀", "view-move.left", [-STEP, 0, 1]],
+  ["▲", "view-move.up", [0, STEP, 1]],
+  ["▼", "view-move.down", [0, -STEP, 1]],
+  ["▶", "view-move.right", [STEP, 0, 1]],
+  ["−", "view-move.farther", [0, 0, 1 / NEARER]],
+  ["+", "view-move.nearer", [0, 0, NEARER]],
+];
+
 /** The button and its menu. */
 class ViewMenu {
   constructor() {
@@ -57,7 +69,8 @@ class ViewMenu {
     this.lid.ariaHasPopup = "menu";
     this.lid.ariaExpanded = "false";
     this.lid.setAttribute("aria-controls", this.list.id);
-    this.items = ENTRIES.map((entry) => ({ entry, item: this.addItem(entry) }));
+    /** @type {{entry: Pick<Entry, "part" | "on">, item: HTMLButtonElement}[]} */
+    this.items = ENTRIES.flatMap((entry) => [{ entry, item: this.addItem(entry) }, ...(entry.name === "fit" ? this.addMoves() : [])]);
     this.element.append(this.list, this.lid);
     overCanvas().append(this.element);
     this.listen();
@@ -68,17 +81,34 @@ class ViewMenu {
     const item = makeButton("", () => {
       const byKeys = item.matches(":focus-visible");
       this.open(false);
-      perform(entry.name);
-      // Return keyboard focus to the canvas, unless the user goes by keys.
+      // Return keyboard focus to the canvas, unless the user goes by keys; a dialog gives it back to where it was before.
       if (byKeys) this.lid.focus();
+      perform(entry.name);
     }, "");
     const { label, hint } = COMMANDS[entry.name];
-    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), make("kbd", "", keyOf(entry.name)));
+    item.append(make("span", "softrod-menu-mark"), make("span", "", say(label)), untranslated(make("kbd", "", keyOf(entry.name))));
     item.setAttribute("role", entry.on ? "menuitemcheckbox" : "menuitem");
     item.tabIndex = -1;
     item.title = hint ? say(hint) : "";
     this.list.append(item);
     return item;
+  }
+
+  /** Buttons that move the view, and leave the menu open. */
+  addMoves() {
+    const row = make("div", "softrod-menu-moves");
+    row.setAttribute("role", "group");
+    row.ariaLabel = say("view-move");
+    row.dir = "ltr";
+    this.list.append(row);
+    return MOVES.map(([sign, name, [across, up, nearer]]) => {
+      const item = makeButton(sign, () => moveView(across, up, nearer), "");
+      item.setAttribute("role", "menuitem");
+      item.tabIndex = -1;
+      item.ariaLabel = item.title = say(name);
+      row.append(item);
+      return { entry: { part: /** @type {const} */ ("view") }, item };
+    });
   }
 
   /** @param {boolean} on */

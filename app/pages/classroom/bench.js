@@ -105,7 +105,7 @@ export class Bench {
     const drawn = JSON.stringify(work.curves) !== JSON.stringify(before.curves);
     if (drawn || work.opening !== before.opening) this.#record = new Record();
     if (!drawn) return;
-    this.#charts = work.curves.map(({ labels, units, over_label, over_unit, turned }) => makeChart({ names: labels, units, over: over_label, overUnit: over_unit, turned }));
+    this.#charts = work.curves.map(({ labels, units, over_label, over_unit, turned }) => makeChart({ names: labels, words: labels, units, over: over_label, overWords: over_label, overUnit: over_unit, turned }));
     this.plots.replaceChildren(...this.#charts.map(({ element }) => element));
   }
 

@@ -25,6 +25,9 @@ export function addHands(picture, isOwn) {
     get place() {
       return picture.place;
     },
+    get unit() {
+      return pageState().unit ?? "";
+    },
   };
   const hands = new Hands(picture.canvas, shown);
   /** The server's hand of each pointer, and where it was last. @type {Map<number, {hand: number, mass: number, at: string}>} */

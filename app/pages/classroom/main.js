@@ -3,6 +3,7 @@
 import { ready } from "./older.js";
 import { element } from "../../export/static/parts.js";
 import { apply } from "../../ui/access.js";
+import { listenToTaps } from "../../ui/hands/taps.js";
 import { identify } from "../../ui/owner.js";
 import { make } from "../../ui/dialog.js";
 import { onMessage, send } from "../../wire/channel.js";
@@ -15,6 +16,7 @@ import { addWall } from "./wall.js";
 
 if (ready) {
   identify();
+  listenToTaps();
   apply();
   const picture = new Picture(element("canvas", HTMLCanvasElement), JSON.parse(element("shapes", HTMLScriptElement).textContent || ""));
   const as = new URLSearchParams(location.search).get("as");

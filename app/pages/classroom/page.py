@@ -11,7 +11,12 @@ from ...stage.shapes import meshes
 from ...stage.sketch import COILS
 
 _APP = Path(__file__).parents[2]
-_SHEETS = ("ui/dialogs.css", "features/classroom/classroom.css", "pages/classroom/class.css")
+_SHEETS = (
+    "ui/dialogs.css",
+    "ui/hands/taps.css",
+    "features/classroom/classroom.css",
+    "pages/classroom/class.css",
+)
 _NEVER = "[data-dark]*"
 """Selects dark paper, which these pages do not have."""
 

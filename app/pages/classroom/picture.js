@@ -104,6 +104,8 @@ export class Picture {
       this.redraw();
     });
     new ResizeObserver(() => this.redraw()).observe(canvas);
+    // The browser had taken its memory back.
+    canvas.addEventListener("contextrestored", () => this.redraw());
   }
 
   #hasView = false;

@@ -1,9 +1,10 @@
 // @ts-check
 /** A pupil's page in a class: one sentence that says what to do, and what it takes to do it. */
 import { onMessage, pageState, send } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { access, setAccess } from "../../ui/access.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { element as known } from "../../export/static/parts.js";
-import { box, button, fold, sayWith, typedLine, typedText, untranslated } from "../../features/classroom/elements.js";
+import { box, button, fold, sayWith, typedLine, typedText } from "../../features/classroom/elements.js";
 import { partsOf as textsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot } from "../../features/classroom/plot.js";
@@ -11,6 +12,7 @@ import { OwnPrediction, Predictions } from "../../features/classroom/prediction.
 import { Card, deferWhilePressed } from "../../features/classroom/rerender.js";
 import { say } from "../../words/words.js";
 import { Alone } from "./alone.js";
+import { keepAwake } from "./awake.js";
 import { Bench } from "./bench.js";
 import { addHands } from "./hands.js";
 import { hangUp } from "./line.js";
@@ -49,6 +51,8 @@ let focusedPhase = "";
 let card;
 /** Says to a screen reader what to do; it stays, since one that is remade is not read. @type {HTMLElement} */
 let spoken;
+/** Says where what is predicted was put. @type {HTMLElement} */
+let placed;
 /** @type {OwnPrediction} */
 let prediction;
 /** @type {Alone} */
@@ -56,6 +60,9 @@ let alone;
 
 /** Whether the body that is shown is this page's own. */
 const hasOwn = () => seat !== null && seat.asking !== null && OWN_BODY.has(seat.asking.phase) && !seat.follows && !seat.gathered && !seat.elsewhere;
+
+/** Whether the class waits for an answer of this page; homework has all the time there is. @param {Seat} seat */
+const hasOpenQuestion = ({ asking, elsewhere, home }) => !home && !elsewhere && ["ask", "explain"].includes(asking?.phase ?? "");
 
 /**
  * Makes a pupil's card.
@@ -70,7 +77,9 @@ export function addSeat(picture) {
   element.append(parts, work, below);
   spoken = make("div", "softrod-tell");
   spoken.setAttribute("role", "status");
-  document.body.append(element, spoken);
+  placed = make("div", "softrod-tell");
+  placed.setAttribute("role", "status");
+  document.body.append(element, spoken, placed);
   const others = new Predictions(picture);
   const bench = new Bench(work, (dial, value) => alone.change(dial, value));
   const hands = addHands(picture, () => hasOwn() && !alone.isOn);
@@ -92,6 +101,7 @@ export function addSeat(picture) {
       hasMoved = true;
     }
     seat = told;
+    keepAwake(hasOpenQuestion(told));
     defer(() => {
       show();
       // What is to be done now is at the top.
@@ -102,6 +112,7 @@ export function addSeat(picture) {
   onMessage("predictions", ({ bodies }) => others.show(bodies, seat?.asking?.masses));
   onMessage("classEnded", () => {
     forgetAnswers();
+    keepAwake(false);
     prediction.show(false);
     spoken.textContent = say("class-over");
     seat = null;
@@ -145,11 +156,13 @@ function show() {
   if (!seat) return;
   const asking = seat.asking;
   prediction.show(asking?.phase === "ask" && asking.predict > 0 && asking.round === 0 && !seat.elsewhere, asking?.masses);
-  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow()];
+  const shows = [seat, twin, refusal, unsent().map(({ id }) => id), prediction.moved, prediction.isSingle, prediction.said(unit()), isPlaying(), isSlow(), access().taps];
   for (const other of around) other.show(shows);
   const isFree = card.show(shows);
-  const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning")].map((text) => text.textContent).join(" ");
+  const task = [...card.element.querySelectorAll(".softrod-task, .softrod-on-wall, .softrod-warning, .softrod-goal[data-met], .softrod-verdict, .softrod-handed")].map((text) => text.textContent).join(" ");
   if (spoken.textContent !== task) spoken.textContent = task;
+  const news = prediction.news(unit());
+  if (placed.textContent !== news) placed.textContent = news;
   if (isFree) focusTask(asking);
 }
 
@@ -290,12 +303,19 @@ function body(seat, asking) {
   const gives = seat.home ? collects(asking) : phase === "collect";
   return [
     ...(seat.home && asking.question && asking.right >= 0 ? [verdict(asking)] : []),
-    ...(asking.goal ? [make("p", "softrod-goal", say(seat.reached ? "class-goal-met" : "class-goal", { goal: asking.goal }))] : []),
+    ...(asking.goal ? [goalLine(seat, asking.goal)] : []),
     make("p", "", asking.do),
     ...(asking.watch && phase !== "collect" ? [box("p", "softrod-watch", make("b", "", say("seat-watch")), ` ${asking.watch}`)] : []),
     box("div", "softrod-phases", ...timeButtons()),
     ...(gives ? [...(seat.home ? [] : twins(seat)), ...handIn(seat, asking)] : []),
   ];
+}
+
+/** What to reach, and whether it was. @param {Seat} seat @param {string} goal */
+function goalLine({ reached }, goal) {
+  const line = make("p", "softrod-goal", say(reached ? "class-goal-met" : "class-goal", { goal }));
+  line.toggleAttribute("data-met", reached);
+  return line;
 }
 
 /** @param {Asking} asking */
@@ -434,6 +454,7 @@ function lobbyOf({ two, digits, types_name }) {
     button(say("seat-another-name"), () => send({ do: "newName" }), { focus: "name" }),
     button(say("seat-two"), () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
     button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
+    button(say("access-taps"), () => (setAccess({ taps: !access().taps }), show()), { focus: "taps", pressed: access().taps }),
   ];
   const own = types_name ? [nameLine()] : [];
   return [box("div", "softrod-lobby", ...parts), ...own, comeBack()];
@@ -441,7 +462,7 @@ function lobbyOf({ two, digits, types_name }) {
 
 /** Where a pupil types their own name. */
 function nameLine() {
-  const named = { maxLength: MAX_NAME_LETTERS, ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
+  const named = { maxLength: MAX_NAME_LETTERS, autocomplete: /** @type {any} */ ("nickname"), ariaLabel: say("seat-your-name"), placeholder: say("seat-your-name") };
   return typedLine("", named, [say("seat-name-me")], (wanted) => send({ do: "newName", wanted }), "own name");
 }
 

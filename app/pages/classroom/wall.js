@@ -1,14 +1,15 @@
 // @ts-check
 /** The wall: what a class sees on the projector, large enough for the last row, and without names. */
 import { element } from "../../export/static/parts.js";
-import { box, qrCode, sayWith, typedAddress, untranslated, voteBars } from "../../features/classroom/elements.js";
+import { box, qrCode, sayWith, typedAddress, voteBars } from "../../features/classroom/elements.js";
 import { partsOf } from "../../features/classroom/guide.js";
 import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot, power } from "../../features/classroom/plot.js";
 import { Predictions } from "../../features/classroom/prediction.js";
-import { make } from "../../ui/dialog.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { onMessage } from "../../wire/channel.js";
 import { say } from "../../words/words.js";
+import { keepAwake } from "./awake.js";
 import { Bench } from "./bench.js";
 import { hangUp } from "./line.js";
 import { Reveal } from "./reveal.js";
@@ -38,6 +39,7 @@ export function addWall(picture) {
   document.body.append(side);
   element("stage", HTMLElement).prepend(make("h1", "softrod-tell", say("class-title")));
   element("stage", HTMLElement).append(corner);
+  keepAwake(true);
   const bench = new Bench(make("div", ""), () => false);
   const predictions = new Predictions(picture);
   const reveal = new Reveal(picture);
@@ -91,6 +93,7 @@ export function addWall(picture) {
     predictions.show([]);
     reveal.show([], [], "", []);
     wall = null;
+    keepAwake(false);
     side.replaceChildren(make("h2", "", say("class-over")));
     corner.replaceChildren();
     hangUp();

@@ -14,6 +14,7 @@ from ...ui import controls
 from ...ui.controls import Controls
 from ...ui.opening import asked_scene
 from ...words import say
+from ...words.english import refusal
 from .features import CONTROLS
 
 
@@ -40,7 +41,7 @@ class PageAddress:
         try:
             return asked_scene(self._query)
         except SceneError as error:
-            self.problem = f"{str(error)[:1].upper()}{str(error)[1:]}."
+            self.problem = refusal(error)
             return None
 
     def controls(self, scene: Scene) -> Controls:

@@ -31,7 +31,14 @@ _FOLDERS = tuple(_APP / name for name in ("ui", "features", "pages"))
 """Folders with images and fonts, which have the same relative paths as on the disk."""
 _TYPES = {".svg": "image/svg+xml", ".webp": "image/webp", ".woff2": "font/woff2"}
 _FOREVER = "public, max-age=31536000, immutable"
-_FIRST_SHEETS = ("ui/page.css", "ui/viser/viser.css", "ui/dialogs.css", "ui/gui/gui.css", "stage/stage.css")
+_FIRST_SHEETS = (
+    "ui/page.css",
+    "ui/viser/viser.css",
+    "ui/dialogs.css",
+    "ui/gui/gui.css",
+    "stage/stage.css",
+    "ui/hands/taps.css",
+)
 _LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
 """Style sheets of no feature, before and after those of features; later ones take precedence."""
 

@@ -18,9 +18,11 @@ import { beginViser, canDraw, showFault, endLoading, watchGraphics } from "../..
 import { addOverlay } from "../../stage/overlay.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { identify } from "../../ui/owner.js";
+import { sounds } from "../../ui/loudspeaker.js";
 import { listenToCommands, provide } from "../../wire/perform.js";
 import { addPaper } from "../../stage/paper.js";
 import { listenToPresses } from "../../ui/hands/presses.js";
+import { listenToTaps } from "../../ui/hands/taps.js";
 import { addUnderlay } from "../../stage/underlay.js";
 import * as seen from "../../ui/viser/seen.js";
 import { isKnown, project, render, viserCanvas, whenViser } from "../../ui/viser/viser.js";
@@ -63,6 +65,7 @@ whenViser((viser) => {
   keepFlat();
   addChase(); // before everything that is drawn where the camera looks
   listenToPresses();
+  listenToTaps();
   addOverlay(); // before others, which stop the press that removes its hint
   const drawEdgeArrow = addEdgeArrow();
   addUnderlay();
@@ -76,12 +79,15 @@ whenViser((viser) => {
   listenToLinks();
   addPaper();
   const heading = document.querySelector("main > h1");
-  onMessage("pageState", ({ title }) => heading && (heading.textContent = title || "softrod"));
+  onMessage("pageState", ({ title }) => {
+    if (heading) heading.textContent = title || "softrod";
+    document.title = title ? `${title} · softrod` : "softrod";
+  });
   addClassroom();
   addEmpty();
   onMarksRedraw(drawEdgeArrow); // last: it stands where nothing else does
   // For the browser tests.
-  const tested = { shown, fitted, isSettled, send, charts, canvas: viserCanvas, project, render, ...seen };
+  const tested = { shown, fitted, isSettled, send, charts, sounds, canvas: viserCanvas, project, render, ...seen };
   Object.assign(window, { __softrod: tested });
 });
 if (canDraw()) {

@@ -3,6 +3,7 @@
 import { element } from "../../export/static/parts.js";
 import { isMeantElsewhere } from "../../ui/access.js";
 import { download } from "../../ui/download.js";
+import { keepGallery } from "./keep.js";
 
 /** The page as it came, before its script changes anything. */
 const whole = /** @type {HTMLElement} */ (document.documentElement.cloneNode(true));
@@ -26,4 +27,7 @@ function addBar() {
 }
 
 // A page that was saved has none.
-if (document.getElementById("bar")) addBar();
+if (document.getElementById("bar")) {
+  addBar();
+  keepGallery();
+}

@@ -10,6 +10,7 @@ import { isMeantElsewhere } from "../../ui/access.js";
 import { kept, store } from "../../ui/kept/storage.js";
 import { isFound, moveByKey } from "../../features/gallery/finding.js";
 import { say } from "../../words/words.js";
+import { keepGallery } from "./keep.js";
 
 /** Under this name the last search is stored, for the way back. */
 const KEY = "softrod-search";
@@ -112,3 +113,4 @@ new MutationObserver(shadow).observe(root, { attributeFilter: ["data-dark"] });
 shadow();
 window.addEventListener("hashchange", follow);
 follow();
+keepGallery(() => (element("kept", HTMLElement).textContent = say("site-kept")));

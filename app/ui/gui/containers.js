@@ -1,7 +1,7 @@
 // @ts-check
 /** Controls that hold others: folders and tabs. */
 import { make, makeButton } from "../dialog.js";
-import { direction, language } from "../../words/words.js";
+import { direction, language, say } from "../../words/words.js";
 import { Control, newId, Place, setText } from "./control.js";
 
 /** @typedef {import("./control.js").Declared} Declared */
@@ -79,6 +79,7 @@ class Tabs extends Control {
     super(declared, "softrod-tabs");
     this.list = make("div", "softrod-tab-list");
     this.list.setAttribute("role", "tablist");
+    this.list.ariaLabel = say("ui-panel");
     this.element.append(this.list);
     /** @type {Map<string, {tab: HTMLButtonElement, page: HTMLElement, place: Place}>} */
     this.tabs = new Map();

@@ -1,11 +1,14 @@
 // @ts-check
 /** Controls with a value: sliders, numbers, switches, lists, texts, buttons; and what is only shown. */
-import { make, makeButton } from "../dialog.js";
+import { make, makeButton, untranslated } from "../dialog.js";
 import { say } from "../../words/words.js";
 import { Control, newId, setText, visit } from "./control.js";
 import { NumberBox } from "./numbers.js";
 
 /** @typedef {import("./control.js").Declared} Declared */
+
+/** An option that is the name of a part, a quantity or a formula, which is also typed. */
+const NAME = /^\S*[\d._^]\S*$/;
 
 /** A control under a label, which also has the hint. */
 class Field extends Control {
@@ -42,7 +45,7 @@ class NumberField extends Field {
     super(declared, name);
     this.box = new NumberBox({ range: () => this.range, step: () => this.props.step || 1, set: (value) => this.enter(value) });
     this.label.setAttribute("for", (this.box.input.id = newId()));
-    this.unit = make("span", "softrod-unit");
+    this.unit = untranslated(make("span", "softrod-unit"));
     this.line = make("div", "softrod-field-line");
     this.line.append(this.label, this.box.sign, this.box.input, this.unit);
     this.element.append(this.line, this.box.why);
@@ -217,7 +220,9 @@ class List extends Field {
     /** @type {string[]} */
     const options = this.props.options ?? [];
     if (options.length !== this.select.length || options.some((option, i) => this.select.options[i].value !== option)) {
-      this.select.replaceChildren(...options.map((option) => new Option(option, option)));
+      const made = options.map((text) => new Option(text, text));
+      made.filter(({ value }) => NAME.test(value)).forEach(untranslated);
+      this.select.replaceChildren(...made);
       valued = true;
     }
     if (valued) this.select.value = this.value;
@@ -292,8 +297,7 @@ class ButtonRow extends Field {
   constructor(declared) {
     super(declared, "softrod-button-row", "span");
     this.row = make("div", "softrod-segments");
-    this.row.setAttribute("role", "group");
-    if (declared.props.label) this.labels(this.row);
+    if (declared.props.label) this.labels(this.row).setAttribute("role", "group");
     this.element.append(this.label, this.row);
   }
 

@@ -77,6 +77,9 @@ export function showTab(id) {
   panel.unfold();
 }
 
+/** The control with an id. @param {string} id */
+export const controlOf = (id) => controls.get(id);
+
 /** The plots over time, for the browser tests. */
 export const charts = () => [...controls.values()].filter((control) => control instanceof Plot);
 

@@ -4,6 +4,7 @@
  */
 import { has, onMessage, pageState } from "../../wire/channel.js";
 import { perform } from "../../wire/perform.js";
+import { access } from "../access.js";
 import { kept, store } from "../kept/storage.js";
 import { foldStrips } from "../strip.js";
 import { iconHtml, make, makeButton, overCanvas } from "../dialog.js";
@@ -50,14 +51,16 @@ class Panel {
     this.element.ariaLabel = say("ui-panel");
     this.element.hidden = true;
     this.controls = make("div", "softrod-controls softrod-root");
-    this.handle = makeButton("", () => this.go(this.height === "closed" ? "half" : "closed"), "softrod-handle");
+    this.handle = makeButton("", () => this.go(this.next), "softrod-handle");
     this.help = iconButton(HELP, say("command-help"), () => perform("help"));
     this.fold = iconButton(FOLD, say("ui-panel.hide"), () => this.setFolded(true));
     this.unfolds = iconButton(UNFOLD, say("ui-panel.show"), () => this.setFolded(false));
     this.unfolds.classList.add("softrod-unfold", "softrod-floats");
     this.unfolds.append(make("span", "", say("ui-panel")));
     const head = make("div", "softrod-panel-head");
-    head.append(make("span", "softrod-brand", "softrod"), iconButton(FIND, withKey(say("command-palette"), "palette"), openFinder), this.help, this.fold);
+    const brand = make("span", "softrod-brand", "softrod");
+    brand.translate = false;
+    head.append(brand, iconButton(FIND, withKey(say("command-palette"), "palette"), openFinder), this.help, this.fold);
     this.element.append(this.handle, head, this.controls);
     // A phone has these over the canvas instead, where they take nothing from the sliders.
     this.scene = makeButton("", () => perform("gallery"), "softrod-scene softrod-floats");
@@ -108,6 +111,12 @@ class Panel {
     this.show();
   }
 
+  /** The height to which a press on the handle takes the sheet; by taps it comes to all of them. @returns {Height} */
+  get next() {
+    if (this.height === "closed") return "half";
+    return this.height === "half" && access().taps ? "full" : "closed";
+  }
+
   /** Opens it, for a tab or a control that was asked for. */
   unfold() {
     if (SHEET.matches) foldStrips();
@@ -139,7 +148,7 @@ class Panel {
     const isSheet = SHEET.matches;
     if (this.isEmpty) delete dataset.softrodPanel;
     else dataset.softrodPanel = isSheet ? this.height : this.isFolded ? "folded" : "open";
-    this.handle.ariaLabel = say(this.height === "closed" ? "ui-panel.up" : "ui-panel.down");
+    this.handle.ariaLabel = say(this.next === "closed" ? "ui-panel.down" : "ui-panel.up");
     this.handle.ariaExpanded = String(this.height !== "closed");
     this.unfolds.hidden = isSheet || this.isEmpty || !this.isFolded;
   }

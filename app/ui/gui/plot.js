@@ -6,6 +6,8 @@
 import { makeSvg } from "../../stage/svg.js";
 import { send } from "../../wire/channel.js";
 import { make } from "../dialog.js";
+import { takePointer } from "../hands/take.js";
+import { numbersOf, sentenceOf } from "../plot_words.js";
 import { decimal, say } from "../../words/words.js";
 import { Control, newId } from "./control.js";
 
@@ -18,6 +20,8 @@ const DIGIT = 7.5;
 const TICKS = 5;
 /** Pixels of a drag that shows a part. */
 const LEAST_DRAG = 6;
+/** Seconds of a part that keys show, at least. */
+const LEAST_PART = 0.05;
 /** Digits that distinguish the marks of the narrowest axis, see app/session/plots.py. */
 const DIGITS = 7;
 /** Part of a range that stays free at either end. */
@@ -80,15 +84,23 @@ export class Plot extends Control {
     super(declared, "softrod-plot");
     this.svg = makeSvg("svg", "softrod-chart");
     this.svg.setAttribute("role", "img");
+    this.svg.removeAttribute("aria-hidden");
+    this.svg.tabIndex = 0;
+    this.svg.ariaDescription = say("ui-plot-keys");
+    this.svg.removeAttribute("aria-hidden");
     this.values = make("div", "softrod-plot-values");
     this.values.id = newId();
-    this.element.append(this.svg, this.values);
+    this.element.append(this.svg, this.values, numbersOf(() => this.told));
     /** The part of the time that is shown; null for all. @type {[number, number] | null} */
     this.zoom = null;
+    /** The time of all values before a part was shown: the server sends those of a part alone. @type {[number, number]} */
+    this.whole = [Infinity, -Infinity];
     /** Where a drag began, px. @type {number | null} */
     this.from = null;
     /** Where the pointer is, px; null outside. @type {number | null} */
     this.at = null;
+    /** The time that is heard, s; null for none. @type {number | null} */
+    this.heard = null;
     this.inside = { left: 0, right: 1, low: 0, high: 1 };
     /** The ranges of the vertical axes, from the bottom to the top. @type {number[][]} */
     this.ranges = [];
@@ -98,12 +110,13 @@ export class Plot extends Control {
     this.svg.addEventListener("pointerleave", () => this.point(null));
     this.svg.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
-      this.svg.setPointerCapture(event.pointerId);
+      takePointer(this.svg, event, { name: say("taps-part") });
       this.from = this.placeOf(event);
     });
     this.svg.addEventListener("pointerup", (event) => this.release(this.placeOf(event)));
     this.svg.addEventListener("pointercancel", () => (this.from = null));
     this.svg.addEventListener("dblclick", () => this.showPart(null));
+    this.svg.addEventListener("keydown", (event) => this.press(event));
     drawings.set(this.svg, this);
     new ResizeObserver(() => this.draw()).observe(this.svg);
   }
@@ -124,6 +137,19 @@ export class Plot extends Control {
     return series.slice(1).map((line, i) => [line, this.props.data?.[i + 1] ?? []]);
   }
 
+  /** What is in view, in numbers: lines up to the moment that is shown, without fits. */
+  get told() {
+    const { times } = this;
+    const [low, high] = this.zoom ?? [-Infinity, Infinity];
+    const shown = Array.from(times).flatMap((time, i) => (time >= low && time <= high ? [i] : []));
+    const kinds = this.lines.map(([line]) => line.class);
+    const lines = this.lines.filter(([line]) => !kinds.includes("softrod-until") || line.class === "softrod-until");
+    return {
+      along: { label: this.props.axes?.[0]?.label ?? say("ui-plot-time"), values: shown.map((i) => times[i]), isTime: true },
+      curves: lines.map(([{ label }, values]) => ({ label, values: shown.map((i) => values[i] ?? null) })),
+    };
+  }
+
   /** @param {boolean} valued @param {[number, number] | null} [zoom] */
   show(valued, zoom = this.zoom) {
     this.zoom = zoom;
@@ -133,8 +159,25 @@ export class Plot extends Control {
 
   /** Shows a part of the time, of which the server sends more, and analyses it. @param {[number, number] | null} part */
   showPart(part) {
+    const { times } = this;
+    if (!this.zoom && times.length) this.whole = [times[0], times[times.length - 1]];
     this.show(true, part);
     send({ do: "inView", plot: this.id, part });
+  }
+
+  /** Arrows across move the part that is shown, up and down make it half or twice as long, Home shows all. @param {KeyboardEvent} event */
+  press(event) {
+    const { times, zoom } = this;
+    if (event.ctrlKey || event.altKey || event.metaKey || times.length < 2) return;
+    const now = [times[0], times[times.length - 1]];
+    const [first, last] = zoom ? [Math.min(now[0], this.whole[0]), Math.max(now[1], this.whole[1])] : now;
+    const [low, high] = zoom ?? now;
+    const [across, factor] = { ArrowLeft: [-0.25, 1], ArrowRight: [0.25, 1], ArrowUp: [0, 0.5], ArrowDown: [0, 2] }[event.key] ?? [0, 0];
+    if (!factor && event.key !== "Home") return;
+    event.preventDefault();
+    const length = Math.max(factor * (high - low), LEAST_PART);
+    const from = Math.min(Math.max((low + high - length) / 2 + across * (high - low), first), last - length);
+    this.showPart(factor && length < last - first ? [from, from + length] : null);
   }
 
   /** The range of a scale, from the bottom to the top. @param {string} scale @param {number} low @param {number} high */
@@ -183,6 +226,7 @@ export class Plot extends Control {
         made.setAttribute("y", String(y));
       }
       made.setAttribute("text-anchor", anchor);
+      made.setAttribute("aria-hidden", "true"); // the label says more
       parts.push(made);
     };
     for (const mark of ticks(low, high)) {
@@ -211,10 +255,20 @@ export class Plot extends Control {
       return made;
     });
     this.mark = makeSvg("path", "softrod-chart-mark");
-    this.svg.replaceChildren(back, ...parts, ...curves, this.mark);
-    const lines = upwards.map(({ label }) => label).join("; ");
-    this.svg.setAttribute("aria-label", say("ui-plot", { lines, across: axes[0]?.label ?? say("ui-plot.time") }));
+    this.cursor = makeSvg("path", "softrod-heard");
+    this.svg.replaceChildren(back, ...parts, ...curves, this.mark, this.cursor);
+    const { along, curves: told } = this.told;
+    this.svg.setAttribute("aria-label", told.map((curve) => sentenceOf(curve, along)).join(" "));
     this.read();
+    this.hear(this.heard);
+  }
+
+  /** Shows where the plot is heard. @param {number | null} time s; null where it is not */
+  hear(time) {
+    const { left, right, low, high } = this.inside;
+    this.heard = time;
+    const x = time === null ? NaN : left + ((right - left) * (time - low)) / (high - low);
+    this.cursor?.setAttribute("d", x >= left - 1 && x <= right + 1 ? `M${x.toFixed(1)} ${TOP}V${this.height - BOTTOM}` : "");
   }
 
   /** Where an event is, px from the left as they are drawn: on a projector these are larger than the window's. @param {PointerEvent} event */

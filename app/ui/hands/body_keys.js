@@ -1,5 +1,6 @@
 // @ts-check
 /** The body by keys alone: a stop of the Tab key over the canvas, and a live region that says what happened. */
+import { access } from "../access.js";
 import { overCanvas } from "../dialog.js";
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
@@ -7,7 +8,8 @@ import { toWorld } from "../../stage/draw.js";
 import { choose, chosenMass } from "../../stage/overlay.js";
 import { freeHand, takeHand, handAt } from "./hands.js";
 import { KeyHand } from "./key_hand.js";
-import { wireNumber } from "../../stage/screen.js";
+import { placeText } from "../../stage/measures.js";
+import { sceneAt, wireNumber } from "../../stage/screen.js";
 import { say } from "../../words/words.js";
 
 /** Puts up the stop and the live region. */
@@ -46,25 +48,44 @@ export function addBodyKeys() {
     drop() {
       send({ do: "drop", hand: number });
       freeHand(number);
+      number = -1;
     },
+    where(mass) {
+      const { pictured: plan, frame } = shown();
+      if (!plan || !frame) return "";
+      // What is in hand follows it a picture later.
+      const [x, y] = frame.positions.subarray(2 * mass, 2 * mass + 2);
+      const place = number < 0 ? { x, y } : sceneAt(plan, at);
+      return placeText(place.x, place.y, pageState().unit ?? "");
+    },
+    hint: () => (document.documentElement.hasAttribute("data-softrod-editing") ? "ui-mass.tools" : "ui-mass.first"),
     say: (text) => (live.textContent = text),
   });
+  const name = () => {
+    const told = say("ui-body", { count: shown().plan?.radius.length ?? 0 });
+    if (stop.ariaLabel !== told) stop.ariaLabel = told;
+  };
   stop.addEventListener("focus", () => keys.focus(shown().pictured?.driven ?? 0));
   stop.addEventListener("blur", () => keys.blur());
   window.addEventListener("blur", () => keys.letGo()); // also where the connection is lost
-  onPicture(() => keys.recount());
+  onPicture(() => {
+    keys.recount();
+    name();
+  });
   stop.addEventListener("keydown", (event) => keys.press(event));
 
   let before = pageState();
   onMessage("pageState", () => {
     const now = pageState();
-    stop.ariaLabel = say("ui-body", { count: shown().plan?.radius.length ?? 0 });
+    name();
+    for (const canvas of overCanvas().querySelectorAll("canvas")) canvas.ariaHidden = "true"; // the stop speaks for them
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
     if (now.offer && !before.offer) news.push(say("ui-exploded"));
     else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(say(now.playing ? "ui-running" : "ui-running.paused"));
     if (before.scene === now.scene && now.broken !== before.broken) news.push(say("ui-broken", { count: now.broken ?? 0 }));
-    if (news.length) live.textContent = news.join(". ");
+    // While events are spoken, that says these, too.
+    if (news.length && !access().events) live.textContent = news.join(". ");
     before = now;
   });
 }

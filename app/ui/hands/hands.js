@@ -19,6 +19,17 @@ export function takeHand() {
   return -1;
 }
 
+/** @type {((mass: number, holds: boolean) => void)[]} */
+const watchers = [];
+
+/** Calls back when a pointer takes hold of a mass, or lets go of it. @param {(mass: number, holds: boolean) => void} watcher */
+export const onGrasp = (watcher) => void watchers.push(watcher);
+
+/** Says that a pointer did. @param {number} mass @param {boolean} holds */
+export function tellGrasp(mass, holds) {
+  for (const told of watchers) told(mass, holds);
+}
+
 /** @param {number} number */
 export const freeHand = (number) => busy.delete(number);
 

@@ -19,6 +19,8 @@ const FAR = 5;
  * @property {(mass: number) => boolean} grab takes hold of a mass; false where that cannot be done
  * @property {(x: number, y: number) => void} move moves the mass in hand by so much, in units of the world, y upwards
  * @property {() => void} drop
+ * @property {(mass: number) => string} where says where a mass is
+ * @property {() => "ui-mass.first" | "ui-mass.tools"} hint what keys do, for who comes to the body
  * @property {(text: string) => void} say says something to a screen reader
  */
 export class KeyHand {
@@ -31,16 +33,16 @@ export class KeyHand {
     this.body = body;
   }
 
-  /** Says something of the mass that is marked. @param {"ui-mass" | "ui-mass.first" | "ui-mass.held" | "ui-mass.free"} key */
+  /** Says something of the mass that is marked. @param {"ui-mass" | "ui-mass.first" | "ui-mass.tools" | "ui-mass.held" | "ui-mass.free"} key */
   #say(key) {
     const [mass, last] = [this.body.chosen(), this.body.count() - 1];
-    this.body.say(last < 0 ? say("ui-mass.none") : say(key, { mass: String(mass), last: String(last) }));
+    this.body.say(last < 0 ? say("ui-mass.none") : say(key, { mass: String(mass), last: String(last), place: this.body.where(mass) }));
   }
 
   /** The body gets the focus. @param {number} first the mass to begin with */
   focus(first) {
     this.body.choose(this.#last < 0 ? Math.max(first, 0) : this.#last);
-    this.#say("ui-mass.first");
+    this.#say(this.body.hint());
   }
 
   blur() {
@@ -80,6 +82,7 @@ export class KeyHand {
     } else if (arrow && this.#holds) {
       const step = STEP * (event.shiftKey ? FAR : 1);
       this.body.move(step * arrow[0], step * arrow[1]);
+      this.body.say(this.body.where(this.body.chosen()));
     } else if (arrow) {
       const count = this.body.count();
       this.body.choose((this.body.chosen() + (arrow[0] - arrow[1] > 0 ? 1 : count - 1)) % count);

@@ -38,8 +38,8 @@ const isTyping = (target) =>
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
- * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, the
- * open box of instruments Esc.
+ * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, a
+ * plot arrows, the open box of instruments Esc.
  *
  * @param {KeyboardEvent} event
  */
@@ -47,6 +47,7 @@ function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
   if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
   if (target.matches(".softrod-mode")) return (key in ARROWS && target.matches(":focus-visible")) || code === "Space";
+  if (target.matches(".softrod-chart")) return key in ARROWS;
   if (target.matches(".softrod-steps button")) return key === "ArrowUp" || key === "ArrowDown";
   if (target.matches(".softrod-muscle")) return key in ARROWS || code === "Space";
   return target.matches(".softrod-body, .softrod-grip, .softrod-own-grip") && (key in ARROWS || code === "Space");

@@ -6,10 +6,12 @@
 import { shown } from "../../stage/canvas.js";
 import { pageState, send } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
-import { areFree, freeHand, takeHand, handAt } from "./hands.js";
+import { areFree, freeHand, takeHand, tellGrasp, handAt } from "./hands.js";
 import { nearest, onScreen, REACH, wireNumber, worldAt } from "../../stage/screen.js";
 import { screen } from "../viser/screen.js";
 import { viserCanvas } from "../viser/viser.js";
+import { takePointer } from "./take.js";
+import { say } from "../../words/words.js";
 
 /** Pixels by which a pointer may move in a click. */
 export const CLICK = 4;
@@ -49,6 +51,15 @@ export function massAt(place, kind, others = []) {
   for (const mass of others) radii[mass] = NaN;
   const reach = kind === "disc" ? 0 : (REACH[/** @type {"mouse"} */ (kind)] ?? REACH.mouse);
   return nearest(onScreen(plan, frame.positions, on), radii, place, reach);
+}
+
+/** Where a mass is in the window. @param {number} mass */
+function placeOf(mass) {
+  const { pictured: plan, frame } = shown();
+  const on = screen();
+  if (!plan || !frame || !on) return undefined;
+  const places = onScreen(plan, frame.positions, on);
+  return { x: places[2 * mass], y: places[2 * mass + 1] };
 }
 
 /** @param {Place} place */
@@ -103,7 +114,7 @@ function press(event) {
   // Hide it from viser and its camera.
   event.preventDefault();
   event.stopImmediatePropagation();
-  canvas.setPointerCapture(event.pointerId);
+  takePointer(canvas, event, { name: say("edit-mass", { number: String(mass) }), at: placeOf(mass) });
   const hold = { mass, hand, start: place, at: place, moved: false, sent: true, grabbed: false };
   holds.set(event.pointerId, hold);
   if (pageState().playing) grab(hold, point);
@@ -113,6 +124,7 @@ function press(event) {
 function grab(hold, { x, y }) {
   hold.grabbed = true;
   send({ do: "grab", hand: hold.hand, mass: hold.mass, x: wireNumber(x), y: wireNumber(y) });
+  tellGrasp(hold.mass, true);
 }
 
 /** @param {PointerEvent} event */
@@ -148,7 +160,10 @@ function letGo(event) {
   if (asked) report();
   holds.delete(event.pointerId);
   freeHand(hold.hand);
-  if (hold.grabbed) send({ do: "drop", hand: hold.hand });
+  if (hold.grabbed) {
+    send({ do: "drop", hand: hold.hand });
+    tellGrasp(hold.mass, false);
+  }
   if (!hold.moved && event.type === "pointerup") send({ do: "pick", mass: hold.mass });
 }
 

@@ -1,26 +1,48 @@
 // @ts-check
-/** The storage of the tab. If the browser forbids it, nothing is stored, and the page works all the same. */
-
-/** The text stored under a name, or null. @param {string} name */
-export function kept(name) {
-  try {
-    return sessionStorage.getItem(name);
-  } catch {
-    return null;
-  }
-}
-
 /**
- * Stores a text. If there is no room for it the old one is removed too: better nothing than an outdated state.
- *
- * @param {string} name
- * @param {string} text
+ * The storage of the tab, and that of the browser for all pages of one origin. What the browser forbids to store, or has no
+ * room for, lasts as long as the page is open.
  */
-export function store(name, text) {
-  try {
-    sessionStorage.removeItem(name);
-    sessionStorage.setItem(name, text);
-  } catch {
-    // Forbidden or full.
-  }
+
+/** @param {"sessionStorage" | "localStorage"} where */
+function storage(where) {
+  /** Instead of the browser's. @type {Map<string, string>} */
+  const memory = new Map();
+  return {
+    /** The text stored under a name, or null. @param {string} name @returns {string | null} */
+    kept(name) {
+      try {
+        return memory.get(name) ?? globalThis[where].getItem(name);
+      } catch {
+        return null;
+      }
+    },
+    /**
+     * Stores a text. If there is no room for it, the old one is removed too: after a reload, better nothing than an outdated
+     * state.
+     *
+     * @param {string} name
+     * @param {string} text
+     */
+    store(name, text) {
+      memory.set(name, text);
+      try {
+        globalThis[where].removeItem(name);
+        globalThis[where].setItem(name, text);
+        memory.delete(name);
+      } catch {
+        // Forbidden or full.
+      }
+    },
+  };
 }
+
+const ofTab = storage("sessionStorage");
+const ofBrowser = storage("localStorage");
+
+/** Of the tab, see `storage`. */
+export const kept = ofTab.kept;
+export const store = ofTab.store;
+/** Of the browser. */
+export const remembered = ofBrowser.kept;
+export const remember = ofBrowser.store;

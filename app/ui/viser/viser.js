@@ -9,9 +9,10 @@
  * @typedef {object} Matrix
  * @typedef {{position: Vector, fov: number, updateMatrixWorld(): void}} Camera
  * @typedef {{minAzimuthAngle: number, maxAzimuthAngle: number, azimuthAngle: number, minPolarAngle: number,
- *   maxPolarAngle: number, minDistance: number, maxDistance: number, dollyToCursor: boolean,
+ *   maxPolarAngle: number, minDistance: number, maxDistance: number, distance: number, dollyToCursor: boolean,
  *   mouseButtons: Record<string, number>, touches: Record<string, number>, constructor: any,
  *   setLookAt(...values: (number | boolean)[]): void, moveTo(x: number, y: number, z: number, glides: boolean): void,
+ *   dollyTo(distance: number, glides: boolean): void,
  *   getTarget(into: Vector, atEnd: boolean): Vector, update(seconds: number): void}} Controls
  * @typedef {{type: string, name?: string, owner?: string, props?: Record<string, any>,
  *   updates?: Record<string, any>, [key: string]: any}} Message

@@ -26,6 +26,8 @@ class-plot = { $what } بدلالة { $over }: { $count ->
   }؛ { $law }
 class-plot-you = أنت: { $value }
 class-grip = الكتلة { $mass } في توقعك: حرّكها بمفاتيح الأسهم
+class-grips = توقعك
+class-moved-mass = الكتلة { $mass }: { $moved }
 class-moved =
   .lower = { $length } إلى الأسفل
   .higher = { $length } إلى الأعلى

@@ -208,5 +208,63 @@ describe-broke = { $count ->
 }
 describe-built = منذ ذلك الحين تغيّر بناء الجسم.
 
+describe-part-mass = الكتلة { $mass }، { $weight }، عند x = { $x }، y = { $y }.
+describe-part-held = هي مثبتة.
+    .hand = هي في يدك.
+describe-part-still = هي ساكنة.
+describe-part-moves = تتحرك { $way } بسرعة { $speed }.
+describe-part-alone = لا يتصل بها أي نابض.
+describe-part-joined = { $count ->
+    [one] يصلها النابض { $springs } بالكتلة { $masses }.
+   *[other] تصلها النوابض { $springs } بالكتل { $masses }.
+}
+describe-part-joined-most = { $count ->
+    [one] يصلها نابض واحد بكتلة أخرى.
+    [two] يصلها نابضان بكتل أخرى.
+    [few] تصلها { $count } نوابض بكتل أخرى.
+    [many] يصلها { $count } نابضًا بكتل أخرى.
+   *[other] يصلها { $count } نابض بكتل أخرى.
+}
+describe-part-touches = تلامس شيئًا.
+describe-part-spring = يصل النابض { $spring } بين الكتلتين { $one } و{ $other }.
+describe-part-length = طوله { $length }، وطوله الطبيعي { $rest }.
+describe-part-strain = هو { $sense ->
+    [stretched] مشدود
+   *[squeezed] مضغوط
+} بنسبة ⁦{ $percent } %⁩.
+describe-part-force = { $sense ->
+    [pulls] يشد طرفيه أحدهما نحو الآخر
+   *[pushes] يدفع طرفيه أحدهما عن الآخر
+} بقوة { $force }.
+describe-part-broken = هو مقطوع.
+describe-part-yielded = تشوّه تشوهًا دائمًا.
+describe-part-muscle = هو عضلة تغيّر طوله الطبيعي بنسبة ⁦{ $percent } %⁩ على الأكثر.
+describe-part-joint = المفصل { $joint } عند الكتلة { $mass }، بين النابضين { $one } و{ $other }.
+describe-part-angle = زاويته { $angle }، وزاويته الطبيعية { $rest }.
+describe-part-torque = عزمه { $torque }.
+describe-part-bends = هو عضلة تغيّر زاويته الطبيعية بمقدار { $degrees } على الأكثر.
+describe-part-motor = يديره محرك بسرعة { $speed } على الأكثر.
+
+news-broke = { $count ->
+    [zero] لم ينقطع أي نابض.
+    [one] انقطع نابض واحد.
+    [two] انقطع نابضان.
+    [few] انقطعت { $count } نوابض.
+    [many] انقطع { $count } نابضًا.
+   *[other] انقطع { $count } نابض.
+}
+news-touched = { $by ->
+    [floor] الجسم يلامس الأرض.
+    [wall] الجسم يلامس جدارًا.
+   *[body] الجسم يلامس جسمًا آخر أو نفسه.
+}
+news-rest = سكن الجسم.
+news-exploded = انفجر الجسم وأُوقف.
+news-grabbed = الكتلة { $mass } في اليد.
+news-dropped = أُفلتت الكتلة { $mass }.
+news-running = يعمل.
+    .paused = متوقف مؤقتًا.
+news-step = الخطوة { $number }: { $title }
+
 describe-title = الوصف
 describe-close = إغلاق الوصف

@@ -28,5 +28,3 @@ modes-volume = شدة الصوت
 modes-sound = صوت أنماط الاهتزاز
     .on = الصوت: مفعّل
     .off = الصوت: معطّل
-melody-heard = { $name }، من { $low } إلى { $high } { $unit }
-melody-none = ليس لما يلي قيم تُسمع: { $name }

@@ -27,8 +27,14 @@ ui-close = إغلاق
 ui-progress = التقدم
 ui-on = مفعّل
     .off = معطّل
-ui-plot = { $lines } بدلالة { $across }
-    .time = الزمن
+ui-plot-time = الزمن، s
+ui-plot-said = { $label }: الآن { $now }؛ الأدنى { $low } عند { $lowAt } s، والأعلى { $high } عند { $highAt } s.
+ui-plot-over = { $label }: الآن { $now }؛ الأدنى { $low } حيث { $across } يساوي { $lowAt }، والأعلى { $high } حيث يساوي { $highAt }.
+ui-plot-level = { $label }: { $now } طوال الوقت.
+ui-plot-none = { $label }: لا قيم بعد.
+ui-plot-keys = سهما اليسار واليمين يعرضان جزءًا آخر من الزمن، وسهما الأعلى والأسفل جزءًا أقصر أو أطول، ومفتاح Home يعرض الكل
+ui-plot-numbers = الأرقام
+    .caption = { $count } من الأرقام الظاهرة موزعة بالتساوي؛ أغلقها وافتحها للأحدث
 
 ui-found = نتائج البحث
     .none = لا شيء بهذا الاسم. وما يخص كتلة أو نابضًا أو مفصلًا يظهر بعد تحديد واحد منها.
@@ -63,11 +69,13 @@ ui-body = { $count ->
     [many] جسم من { $count } كتلة
    *[other] جسم من { $count } كتلة
 }
-ui-mass = الكتلة { $mass } من 0 إلى { $last }
-    .first = الكتلة { $mass } من 0 إلى { $last }. الأسهم تختار، ومفتاح المسافة يمسك
+ui-mass = الكتلة { $mass } من 0 إلى { $last }، { $place }
+    .first = الكتلة { $mass } من 0 إلى { $last }، { $place }. الأسهم تختار، ومفتاح المسافة يمسك
+    .tools = الكتلة { $mass } من 0 إلى { $last }، { $place }. الأسهم تختار، ومفتاح الإدخال يفعل ما تفعله الأداة، و+ يضيف كتلة، وX يحرك علامة التقاطع
     .held = الكتلة { $mass } من 0 إلى { $last } في اليد. الأسهم تحركها
     .free = الكتلة { $mass } من 0 إلى { $last } تُركت
     .none = لا كتلة
+ui-place = x { $x }, y { $y } { $unit }
 ui-exploded = انفجر الجسم وتوقف
 ui-running = يعمل
     .paused = متوقف مؤقتًا

@@ -18,6 +18,8 @@ class-plot = { $what } über { $over }: { $count ->
   }; { $law }
 class-plot-you = du: { $value }
 class-grip = Masse { $mass } deiner Vorhersage: mit den Pfeiltasten bewegen
+class-grips = Deine Vorhersage
+class-moved-mass = Masse { $mass }: { $moved }
 class-moved =
   .lower = { $length } tiefer
   .higher = { $length } höher

@@ -143,5 +143,56 @@ describe-broke = { $count ->
 }
 describe-built = Seitdem wurde er umgebaut.
 
+describe-part-mass = Masse { $mass }, { $weight }, ist bei x = { $x }, y = { $y }.
+describe-part-held = Sie ist festgehalten.
+    .hand = Du hältst sie in der Hand.
+describe-part-still = Sie ist in Ruhe.
+describe-part-moves = Sie bewegt sich { $way } mit { $speed }.
+describe-part-alone = Keine Feder ist an ihr befestigt.
+describe-part-joined = { $count ->
+    [one] Feder { $springs } verbindet sie mit Masse { $masses }.
+   *[other] Die Federn { $springs } verbinden sie mit den Massen { $masses }.
+}
+describe-part-joined-most = { $count ->
+    [one] { $count } Feder verbindet sie mit einer anderen Masse.
+   *[other] { $count } Federn verbinden sie mit anderen Massen.
+}
+describe-part-touches = Sie berührt etwas.
+describe-part-spring = Feder { $spring } verbindet die Massen { $one } und { $other }.
+describe-part-length = Ihre Länge ist { $length }, ihre Ruhelänge { $rest }.
+describe-part-strain = Sie ist um { $percent } % { $sense ->
+    [stretched] gedehnt
+   *[squeezed] gestaucht
+}.
+describe-part-force = Sie { $sense ->
+    [pulls] zieht ihre Enden mit { $force } zusammen
+   *[pushes] drückt ihre Enden mit { $force } auseinander
+}.
+describe-part-broken = Gerissen.
+describe-part-yielded = Bleibend verformt.
+describe-part-muscle = Sie ist ein Muskel, der ihre Ruhelänge um bis zu { $percent } % verändert.
+describe-part-joint = Gelenk { $joint } ist an Masse { $mass }, zwischen den Federn { $one } und { $other }.
+describe-part-angle = Sein Winkel ist { $angle }, sein Ruhewinkel { $rest }.
+describe-part-torque = Sein Drehmoment ist { $torque }.
+describe-part-bends = Es ist ein Muskel, der seinen Ruhewinkel um bis zu { $degrees } verändert.
+describe-part-motor = Ein Motor dreht es mit bis zu { $speed }.
+
+news-broke = { $count ->
+    [one] Eine Feder ist gerissen.
+   *[other] { $count } Federn sind gerissen.
+}
+news-touched = { $by ->
+    [floor] Der Körper berührt den Boden.
+    [wall] Der Körper berührt eine Wand.
+   *[body] Der Körper berührt einen anderen oder sich selbst.
+}
+news-rest = Der Körper ist zur Ruhe gekommen.
+news-exploded = Der Körper ist explodiert und angehalten.
+news-grabbed = Masse { $mass } ist in der Hand.
+news-dropped = Masse { $mass } ist losgelassen.
+news-running = Läuft.
+    .paused = Pause.
+news-step = Schritt { $number }: { $title }
+
 describe-title = Beschreibung
 describe-close = Beschreibung schließen

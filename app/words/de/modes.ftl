@@ -28,5 +28,3 @@ modes-volume = Lautstärke
 modes-sound = Klang der Eigenschwingungen
     .on = Klang: an
     .off = Klang: aus
-melody-heard = { $name }, von { $low } bis { $high } { $unit }
-melody-none = { $name } hat keine Werte, die zu hören wären

@@ -15,6 +15,7 @@ site-unknown = Eine Szene namens { $name } gibt es hier nicht.
 site-groups = Gruppen
 site-dark = Dunkle Seite
 site-made = Gemacht mit softrod. Diese Seiten brauchen keinen Server und kein Netz.
+site-kept = Alles ist jetzt auf diesem Gerät und öffnet sich hier auch ohne Netz.
 
 site-bar = Galerie
 site-all = Alle Szenen

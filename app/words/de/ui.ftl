@@ -27,8 +27,14 @@ ui-close = Schließen
 ui-progress = Fortschritt
 ui-on = an
     .off = aus
-ui-plot = { $lines } über { $across }
-    .time = Zeit
+ui-plot-time = Zeit, s
+ui-plot-said = { $label }: jetzt { $now }; am kleinsten { $low } bei { $lowAt } s, am größten { $high } bei { $highAt } s.
+ui-plot-over = { $label }: jetzt { $now }; am kleinsten { $low }, wo { $across } { $lowAt } ist, am größten { $high }, wo es { $highAt } ist.
+ui-plot-level = { $label }: die ganze Zeit { $now }.
+ui-plot-none = { $label }: noch keine Werte.
+ui-plot-keys = Pfeile nach links und rechts zeigen einen anderen Teil der Zeit, nach oben und unten einen kürzeren oder längeren, Pos1 alles
+ui-plot-numbers = Zahlen
+    .caption = { $count } der sichtbaren Zahlen, gleichmäßig verteilt; für neuere zu- und wieder aufklappen
 
 ui-found = Gefunden
     .none = So heißt nichts. Was zu einer Masse, einer Feder oder einem Gelenk gehört, findest du, sobald eines ausgewählt ist.
@@ -59,11 +65,13 @@ ui-body = { $count ->
     [one] Körper aus { $count } Masse
    *[other] Körper aus { $count } Massen
 }
-ui-mass = Masse { $mass } von 0 bis { $last }
-    .first = Masse { $mass } von 0 bis { $last }. Pfeile wählen, die Leertaste greift
+ui-mass = Masse { $mass } von 0 bis { $last }, { $place }
+    .first = Masse { $mass } von 0 bis { $last }, { $place }. Pfeile wählen, die Leertaste greift
+    .tools = Masse { $mass } von 0 bis { $last }, { $place }. Pfeile wählen, die Eingabetaste tut, was das Werkzeug tut, + setzt eine Masse an, X bewegt ein Kreuz
     .held = Masse { $mass } von 0 bis { $last } in der Hand. Pfeile bewegen sie
     .free = Masse { $mass } von 0 bis { $last } losgelassen
     .none = keine Masse
+ui-place = x { $x }, y { $y } { $unit }
 ui-exploded = Der Körper ist explodiert und angehalten
 ui-running = Läuft
     .paused = Angehalten

@@ -1,5 +1,12 @@
 view-menu = Ansicht
     .hint = Ansicht: dunkel, Beamer, Hilfe und mehr
+view-move = Ansicht verschieben
+    .left = Weiter links
+    .up = Weiter oben
+    .down = Weiter unten
+    .right = Weiter rechts
+    .farther = Weiter weg
+    .nearer = Näher heran
 view-help = So benutzt du softrod
 view-help-drag = <b>Ziehe</b> eine Masse. Festgehaltene bleiben, wo du sie loslässt, freie fallen. Ziehe das Papier, um es zu verschieben; mit Mausrad oder zwei Fingern zoomst du.
 view-help-change = <b>Ändere</b> Steifigkeit, Dämpfung, Längen und Winkel unter „Spielen“, oder zeichne mit „Bearbeiten“ einen eigenen Körper.

@@ -23,6 +23,9 @@ class-plot = { $what } over { $over }: { $count ->
 class-plot-you = you: { $value }
 # Of a disc by which a prediction is dragged.
 class-grip = Mass { $mass } of your prediction: move it with the arrow keys
+# What holds these, and what is said when one was moved: $moved as in class-moved.
+class-grips = Your prediction
+class-moved-mass = Mass { $mass }: { $moved }
 # How far a mass has gone, or was put from where it was.
 class-moved =
   .lower = { $length } lower

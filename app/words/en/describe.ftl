@@ -134,5 +134,60 @@ describe-broke = { $count ->
 }
 describe-built = Since then it has been changed.
 
+# A part of the body: a mass, a spring or a joint. Numbers have their units.
+describe-part-mass = Mass { $mass }, { $weight }, is at x = { $x }, y = { $y }.
+describe-part-held = It is held.
+    .hand = It is in your hand.
+describe-part-still = It is at rest.
+describe-part-moves = It moves { $way } at { $speed }.
+describe-part-alone = No spring is attached to it.
+# $springs and $masses are lists of as many numbers.
+describe-part-joined = { $count ->
+    [one] Spring { $springs } joins it to mass { $masses }.
+   *[other] Springs { $springs } join it to masses { $masses }.
+}
+describe-part-joined-most = { $count ->
+    [one] { $count } spring joins it to another mass.
+   *[other] { $count } springs join it to other masses.
+}
+describe-part-touches = It touches something.
+describe-part-spring = Spring { $spring } joins masses { $one } and { $other }.
+describe-part-length = It is { $length } long; its rest length is { $rest }.
+describe-part-strain = It is { $sense ->
+    [stretched] stretched
+   *[squeezed] squeezed
+} by { $percent } %.
+describe-part-force = It { $sense ->
+    [pulls] pulls its ends together
+   *[pushes] pushes its ends apart
+} with { $force }.
+describe-part-broken = It is broken.
+describe-part-yielded = It has yielded.
+describe-part-muscle = It is a muscle, which changes its rest length by up to { $percent } %.
+describe-part-joint = Joint { $joint } is at mass { $mass }, between springs { $one } and { $other }.
+describe-part-angle = Its angle is { $angle }, its rest angle { $rest }.
+describe-part-torque = Its torque is { $torque }.
+describe-part-bends = It is a muscle, which changes its rest angle by up to { $degrees }.
+describe-part-motor = A motor turns it at up to { $speed }.
+
+# What happens, for a screen reader: one short sentence at a time.
+news-broke = { $count ->
+    [one] One spring broke.
+   *[other] { $count } springs broke.
+}
+news-touched = { $by ->
+    [floor] The body touches the floor.
+    [wall] The body touches a wall.
+   *[body] The body touches another one, or itself.
+}
+news-rest = The body has come to rest.
+news-exploded = The body exploded and is stopped.
+news-grabbed = Mass { $mass } is in hand.
+news-dropped = Mass { $mass } is let go.
+news-running = Running.
+    .paused = Paused.
+# A step of a lesson begins.
+news-step = Step { $number }: { $title }
+
 describe-title = Description
 describe-close = Close the description

@@ -43,6 +43,13 @@ edit-spring = spring { $number }
 edit-joint = joint { $number }
 edit-selected = { $parts } selected
     .none = Nothing selected
+# For a screen reader: the tools were opened, with the name of the one that is in hand; a spring is begun.
+edit-open = Tools open: { $tool }
+    .closed = Tools closed
+edit-begins = A spring begins at mass { $mass }: Enter at another one joins them and goes on from there, Esc ends it
+# A cross that arrow keys move over the canvas; $place: as in "x 300, y 200 px"; $part: what is there.
+edit-cross = Cross at { $place }. Arrows move it, with Shift by a tenth; Enter presses there, Esc takes it away
+edit-cross-on = { $place }: { $part }
 # Beside a knob that turns a joint.
 edit-rests-at = rests at { $angle }
 # A question after masses were moved by hand.

@@ -19,6 +19,8 @@ measure-add = Add to it
 measure-table = CSV
 measure-picture = Picture
 measure-hear = Hear
+measure-hear-live = Hear while it moves
+    .hint = the newest values as tones; left and right for two lines
 measure-remove = Remove
 # What a plot is analysed by.
 measure-analysis-none = none
@@ -42,6 +44,8 @@ measure-axis-downwards = { $label }, downwards
 measure-line-fit = fit to { $quantity }
 measure-title-spectrum = amplitude spectrum of { $quantity }
 measure-title-over = { $quantity } over { $over }
+# What a screen reader says of each quantity of such a plot; numbers have units.
+measure-range = { $quantity }: now { $now }; from { $low } to { $high }.
 # After the names of the quantities, in their colours.
 measure-over-one = over { $over }
 # What is read below a plot.
@@ -65,3 +69,14 @@ measure-number-size = size
 measure-spectrum-none = no spectrum: nothing has changed in the frames in view, or they are too few
 measure-spectrum-no-peak = no peak of two cycles or more in view
 measure-spectrum-of = of the last { $seconds } s in view that have every frame
+# What is said while a plot is heard: each line between its lowest and its highest value, and where it sounds.
+melody-heard = { $name }: { $low } to { $high } { $unit }.
+    .left = { $name }: { $low } to { $high } { $unit }, at the left.
+    .right = { $name }: { $low } to { $high } { $unit }, at the right.
+    .between = { $name }: { $low } to { $high } { $unit }, between left and right.
+# What passes meanwhile: time, or the frequency of a spectrum.
+melody-passes = From { $from } to { $to } s.
+    .frequency = From { $from } to { $to } Hz.
+melody-none = { $name } has no values to hear.
+melody-no-plot = There is no plot to hear.
+melody-off = Sound is off, see Access and language.

@@ -34,6 +34,3 @@ modes-volume = Volume
 modes-sound = Sound of the modes
     .on = Sound: on
     .off = Sound: off
-# What a screen reader says to a plot that is heard.
-melody-heard = { $name }, from { $low } to { $high } { $unit }
-melody-none = { $name } has no values to hear

@@ -7,6 +7,10 @@ reading-length = length
 reading-angle = angle
 reading-torque = torque
 reading-speed = speed
+reading-vx = velocity vx
+reading-vy = velocity vy
+reading-momentum-x = momentum in x
+reading-momentum-y = momentum in y
 # Of a second body from the first.
 reading-distance = distance
 reading-time-step = time step, as a part of its limit

@@ -18,6 +18,8 @@ site-unknown = There is no scene called { $name } here.
 site-groups = Groups
 site-dark = Dark page
 site-made = Made with softrod. These pages need no server and no network.
+# Of the index, once the browser has kept the whole gallery.
+site-kept = All of it is on this device now, and opens here without a network.
 
 # The bar.
 site-bar = Gallery

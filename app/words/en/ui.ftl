@@ -40,9 +40,18 @@ ui-progress = Progress
 # A switch, where it is found.
 ui-on = on
     .off = off
-# Words of a plot for a screen reader: quantities over time, or over another quantity.
-ui-plot = { $lines } over { $across }
-    .time = time
+# Words of a plot for a screen reader. $label: what is plotted, with its unit; numbers are without one. The axis of the time.
+ui-plot-time = time, s
+ui-plot-said = { $label }: now { $now }; lowest { $low } at { $lowAt } s, highest { $high } at { $highAt } s.
+# Over another quantity, $across, with its unit.
+ui-plot-over = { $label }: now { $now }; lowest { $low } where { $across } is { $lowAt }, highest { $high } where it is { $highAt }.
+ui-plot-level = { $label }: { $now } all the time.
+ui-plot-none = { $label }: no values yet.
+# What keys do in it.
+ui-plot-keys = Arrows left and right show another part of the time, up and down a shorter or longer one, Home all
+# A line below a plot that opens a table.
+ui-plot-numbers = Numbers
+    .caption = { $count } of the numbers in view, evenly spread; close and open it for newer ones
 
 # What "Find anything" has found.
 ui-found = Found
@@ -79,12 +88,15 @@ ui-body = { $count ->
     [one] Body of { $count } mass
    *[other] Body of { $count } masses
 }
-# The mass that keys have chosen; masses have the numbers from 0 to $last.
-ui-mass = mass { $mass } of 0 to { $last }
-    .first = mass { $mass } of 0 to { $last }. Arrows choose, Space takes hold
+# The mass that keys have chosen, and its place; masses have the numbers from 0 to $last.
+ui-mass = mass { $mass } of 0 to { $last }, { $place }
+    .first = mass { $mass } of 0 to { $last }, { $place }. Arrows choose, Space takes hold
+    .tools = mass { $mass } of 0 to { $last }, { $place }. Arrows choose, Enter does what the tool does, + adds a mass, X moves a cross
     .held = mass { $mass } of 0 to { $last } in hand. Arrows move it
     .free = mass { $mass } of 0 to { $last } let go
     .none = no mass
+# A place on the canvas, in the scene's unit.
+ui-place = x { $x }, y { $y } { $unit }
 ui-exploded = The body exploded and is stopped
 ui-running = Running
     .paused = Paused

@@ -2,6 +2,14 @@
 
 view-menu = View
     .hint = View: dark, projector, help and more
+# Buttons of the View menu that move what is seen.
+view-move = Move the view
+    .left = Farther left
+    .up = Farther up
+    .down = Farther down
+    .right = Farther right
+    .farther = Farther away
+    .nearer = Nearer
 view-help = How to use softrod
 # Three pictures, each with a word in bold and the rest of the sentence.
 view-help-drag = <b>Drag</b> any mass. Held ones stay where you leave them, free ones fall. Drag the paper to move it, scroll or pinch to zoom.

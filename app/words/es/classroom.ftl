@@ -18,6 +18,8 @@ class-plot = { $what } en función de { $over }: { $count ->
   }; { $law }
 class-plot-you = tú: { $value }
 class-grip = Masa { $mass } de tu predicción: muévela con las teclas de flecha
+class-grips = Tu predicción
+class-moved-mass = Masa { $mass }: { $moved }
 class-moved =
   .lower = { $length } más abajo
   .higher = { $length } más arriba

@@ -143,5 +143,56 @@ describe-broke = { $count ->
 }
 describe-built = Desde entonces se ha modificado.
 
+describe-part-mass = La masa { $mass }, de { $weight }, está en x = { $x }, y = { $y }.
+describe-part-held = Está fija.
+    .hand = La tienes en la mano.
+describe-part-still = Está en reposo.
+describe-part-moves = Se mueve { $way } a { $speed }.
+describe-part-alone = No tiene ningún resorte unido.
+describe-part-joined = { $count ->
+    [one] El resorte { $springs } la une a la masa { $masses }.
+   *[other] Los resortes { $springs } la unen a las masas { $masses }.
+}
+describe-part-joined-most = { $count ->
+    [one] { $count } resorte la une a otra masa.
+   *[other] { $count } resortes la unen a otras masas.
+}
+describe-part-touches = Toca algo.
+describe-part-spring = El resorte { $spring } une las masas { $one } y { $other }.
+describe-part-length = Mide { $length }; su longitud natural es de { $rest }.
+describe-part-strain = Está { $sense ->
+    [stretched] estirado
+   *[squeezed] comprimido
+} un { $percent } %.
+describe-part-force = { $sense ->
+    [pulls] Acerca sus extremos
+   *[pushes] Separa sus extremos
+} con una fuerza de { $force }.
+describe-part-broken = Se ha roto.
+describe-part-yielded = Tiene una deformación permanente.
+describe-part-muscle = Es un músculo que cambia su longitud natural hasta un { $percent } %.
+describe-part-joint = La articulación { $joint } está en la masa { $mass }, entre los resortes { $one } y { $other }.
+describe-part-angle = Su ángulo es de { $angle }; su ángulo natural, de { $rest }.
+describe-part-torque = Su momento es de { $torque }.
+describe-part-bends = Es un músculo que cambia su ángulo natural hasta { $degrees }.
+describe-part-motor = Un motor la hace girar a { $speed } como máximo.
+
+news-broke = { $count ->
+    [one] Se ha roto un resorte.
+   *[other] Se han roto { $count } resortes.
+}
+news-touched = { $by ->
+    [floor] El cuerpo toca el suelo.
+    [wall] El cuerpo toca una pared.
+   *[body] El cuerpo toca otro cuerpo o a sí mismo.
+}
+news-rest = El cuerpo ha quedado en reposo.
+news-exploded = El cuerpo ha explotado y está detenido.
+news-grabbed = La masa { $mass } está en la mano.
+news-dropped = Se ha soltado la masa { $mass }.
+news-running = En marcha.
+    .paused = En pausa.
+news-step = Paso { $number }: { $title }
+
 describe-title = Descripción
 describe-close = Cerrar la descripción

@@ -28,5 +28,3 @@ modes-volume = Volumen
 modes-sound = Sonido de los modos
     .on = Sonido: activado
     .off = Sonido: desactivado
-melody-heard = { $name }, de { $low } a { $high } { $unit }
-melody-none = { $name } no tiene valores que se puedan oír

@@ -15,6 +15,7 @@ site-unknown = Aquí no hay ninguna escena llamada { $name }.
 site-groups = Grupos
 site-dark = Página oscura
 site-made = Hecho con softrod. Estas páginas no necesitan ni servidor ni red.
+site-kept = Todo está ahora en este dispositivo y se abre aquí también sin red.
 
 site-bar = Galería
 site-all = Todas las escenas

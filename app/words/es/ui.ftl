@@ -27,8 +27,14 @@ ui-close = Cerrar
 ui-progress = Progreso
 ui-on = activado
     .off = desactivado
-ui-plot = { $lines } en función de { $across }
-    .time = tiempo
+ui-plot-time = tiempo, s
+ui-plot-said = { $label }: ahora { $now }; mínimo { $low } a los { $lowAt } s, máximo { $high } a los { $highAt } s.
+ui-plot-over = { $label }: ahora { $now }; mínimo { $low } donde { $across } vale { $lowAt }, máximo { $high } donde vale { $highAt }.
+ui-plot-level = { $label }: { $now } todo el tiempo.
+ui-plot-none = { $label }: todavía no hay valores.
+ui-plot-keys = Las flechas izquierda y derecha muestran otra parte del tiempo; arriba y abajo, una más corta o más larga; Inicio, todo
+ui-plot-numbers = Números
+    .caption = { $count } de los números a la vista, repartidos por igual; ciérralo y ábrelo para ver los más recientes
 
 ui-found = Resultados
     .none = Nada se llama así. Lo que pertenece a una masa, un resorte o una articulación se encuentra cuando hay alguno seleccionado.
@@ -59,11 +65,13 @@ ui-body = { $count ->
     [one] Cuerpo de { $count } masa
    *[other] Cuerpo de { $count } masas
 }
-ui-mass = masa { $mass } de 0 a { $last }
-    .first = masa { $mass } de 0 a { $last }. Las flechas eligen, Espacio agarra
+ui-mass = masa { $mass } de 0 a { $last }, { $place }
+    .first = masa { $mass } de 0 a { $last }, { $place }. Las flechas eligen, Espacio agarra
+    .tools = masa { $mass } de 0 a { $last }, { $place }. Las flechas eligen, Intro hace lo que hace la herramienta, + añade una masa, X mueve una cruz
     .held = masa { $mass } de 0 a { $last } en la mano. Las flechas la mueven
     .free = masa { $mass } de 0 a { $last } suelta
     .none = ninguna masa
+ui-place = x { $x }, y { $y } { $unit }
 ui-exploded = El cuerpo ha explotado y está detenido
 ui-running = En marcha
     .paused = En pausa

@@ -1,5 +1,12 @@
 view-menu = Ver
     .hint = Ver: modo oscuro, proyector, ayuda y más
+view-move = Mover la vista
+    .left = Más a la izquierda
+    .up = Más arriba
+    .down = Más abajo
+    .right = Más a la derecha
+    .farther = Más lejos
+    .nearer = Más cerca
 view-help = Cómo se usa softrod
 view-help-drag = <b>Arrastra</b> cualquier masa. Las fijas se quedan donde las dejas, las libres caen. Arrastra el papel para moverlo; gira la rueda o pellizca para acercar o alejar.
 view-help-change = <b>Cambia</b> la rigidez, el amortiguamiento, las longitudes y los ángulos en «Jugar», o dibuja tu propio cuerpo con «Editar».

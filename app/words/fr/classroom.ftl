@@ -18,6 +18,8 @@ class-plot = { $what } selon { $over } : { $count ->
   } ; { $law }
 class-plot-you = toi : { $value }
 class-grip = Masse { $mass } de ta prédiction : la déplacer avec les touches fléchées
+class-grips = Ta prédiction
+class-moved-mass = Masse { $mass } : { $moved }
 class-moved =
   .lower = { $length } plus bas
   .higher = { $length } plus haut

@@ -143,5 +143,56 @@ describe-broke = { $count ->
 }
 describe-built = Depuis, l’objet a été modifié.
 
+describe-part-mass = La masse { $mass }, de { $weight }, est en x = { $x }, y = { $y }.
+describe-part-held = Elle est fixée.
+    .hand = Vous la tenez dans la main.
+describe-part-still = Elle est au repos.
+describe-part-moves = Elle se déplace { $way } à { $speed }.
+describe-part-alone = Aucun ressort n’y est attaché.
+describe-part-joined = { $count ->
+    [one] Le ressort { $springs } la relie à la masse { $masses }.
+   *[other] Les ressorts { $springs } la relient aux masses { $masses }.
+}
+describe-part-joined-most = { $count ->
+    [one] { $count } ressort la relie à une autre masse.
+   *[other] { $count } ressorts la relient à d’autres masses.
+}
+describe-part-touches = Elle touche quelque chose.
+describe-part-spring = Le ressort { $spring } relie les masses { $one } et { $other }.
+describe-part-length = Sa longueur est de { $length } ; sa longueur à vide, de { $rest }.
+describe-part-strain = Il est { $sense ->
+    [stretched] étiré
+   *[squeezed] comprimé
+} de { $percent } %.
+describe-part-force = Il { $sense ->
+    [pulls] rapproche ses extrémités
+   *[pushes] écarte ses extrémités
+} avec une force de { $force }.
+describe-part-broken = Il y a eu rupture.
+describe-part-yielded = La déformation est permanente.
+describe-part-muscle = C’est un muscle, qui fait varier sa longueur à vide de { $percent } % au plus.
+describe-part-joint = L’articulation { $joint } se trouve à la masse { $mass }, entre les ressorts { $one } et { $other }.
+describe-part-angle = Son angle est de { $angle } ; son angle au repos, de { $rest }.
+describe-part-torque = Son couple est de { $torque }.
+describe-part-bends = C’est un muscle, qui fait varier son angle au repos de { $degrees } au plus.
+describe-part-motor = Un moteur la fait tourner à { $speed } au plus.
+
+news-broke = { $count ->
+    [one] Un ressort s’est cassé.
+   *[other] { $count } ressorts se sont cassés.
+}
+news-touched = { $by ->
+    [floor] L’objet touche le sol.
+    [wall] L’objet touche un mur.
+   *[body] L’objet touche un autre objet ou lui-même.
+}
+news-rest = L’objet s’est arrêté.
+news-exploded = L’objet a explosé ; la simulation est arrêtée.
+news-grabbed = La masse { $mass } est en main.
+news-dropped = La masse { $mass } est lâchée.
+news-running = En mouvement.
+    .paused = En pause.
+news-step = Étape { $number } : { $title }
+
 describe-title = Description
 describe-close = Fermer la description

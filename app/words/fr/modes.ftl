@@ -28,5 +28,3 @@ modes-volume = Volume
 modes-sound = Son des modes propres
     .on = Son : activé
     .off = Son : désactivé
-melody-heard = { $name }, de { $low } à { $high } { $unit }
-melody-none = { $name } n’a aucune valeur à écouter

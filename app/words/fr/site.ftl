@@ -15,6 +15,7 @@ site-unknown = Il n’y a pas ici de scène appelée { $name }.
 site-groups = Groupes
 site-dark = Page sombre
 site-made = Fait avec softrod. Ces pages n’ont besoin ni de serveur ni de réseau.
+site-kept = Tout est maintenant sur cet appareil et s’ouvre ici même sans réseau.
 
 site-bar = Galerie
 site-all = Toutes les scènes

@@ -27,8 +27,14 @@ ui-close = Fermer
 ui-progress = Progression
 ui-on = activé
     .off = désactivé
-ui-plot = { $lines } selon { $across }
-    .time = le temps
+ui-plot-time = temps, s
+ui-plot-said = { $label } : maintenant { $now } ; minimum { $low } à { $lowAt } s, maximum { $high } à { $highAt } s.
+ui-plot-over = { $label } : maintenant { $now } ; minimum { $low } là où { $across } vaut { $lowAt }, maximum { $high } là où cela vaut { $highAt }.
+ui-plot-level = { $label } : { $now } tout le temps.
+ui-plot-none = { $label } : pas encore de valeurs.
+ui-plot-keys = Les flèches gauche et droite montrent une autre partie du temps, haut et bas une partie plus courte ou plus longue, Début le tout
+ui-plot-numbers = Nombres
+    .caption = { $count } des nombres visibles, répartis régulièrement ; refermer et rouvrir pour de plus récents
 
 ui-found = Trouvé
     .none = Rien ne s’appelle ainsi. Ce qui appartient à une masse, un ressort ou une articulation se trouve une fois qu’on en a sélectionné un.
@@ -59,11 +65,13 @@ ui-body = { $count ->
     [one] Objet de { $count } masse
    *[other] Objet de { $count } masses
 }
-ui-mass = masse { $mass }, de 0 à { $last }
-    .first = masse { $mass }, de 0 à { $last }. Les flèches choisissent, Espace saisit
+ui-mass = masse { $mass }, de 0 à { $last }, { $place }
+    .first = masse { $mass }, de 0 à { $last }, { $place }. Les flèches choisissent, Espace saisit
+    .tools = masse { $mass }, de 0 à { $last }, { $place }. Les flèches choisissent, Entrée fait ce que fait l’outil, + ajoute une masse, X déplace une croix
     .held = masse { $mass }, de 0 à { $last }, saisie. Les flèches la déplacent
     .free = masse { $mass }, de 0 à { $last }, lâchée
     .none = aucune masse
+ui-place = x { $x }, y { $y } { $unit }
 ui-exploded = L’objet a explosé et il est arrêté
 ui-running = En mouvement
     .paused = En pause

@@ -1,5 +1,12 @@
 view-menu = Affichage
     .hint = Affichage : sombre, vidéoprojecteur, aide et plus
+view-move = Déplacer la vue
+    .left = Plus à gauche
+    .up = Plus haut
+    .down = Plus bas
+    .right = Plus à droite
+    .farther = Plus loin
+    .nearer = Plus près
 view-help = Comment utiliser softrod
 view-help-drag = <b>Tire</b> n’importe quelle masse. Les masses fixées restent où tu les laisses, les masses libres tombent. Fais glisser le papier pour le déplacer ; fais défiler ou pince pour zoomer.
 view-help-change = <b>Change</b> la raideur, l’amortissement, les longueurs et les angles dans l’onglet « Jouer », ou dessine ton propre objet avec « Modifier ».

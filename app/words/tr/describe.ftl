@@ -105,5 +105,56 @@ describe-broke = { $count ->
 }
 describe-built = O zamandan beri değiştirildi.
 
+describe-part-mass = { $mass } numaralı kütle, { $weight }, konumu x = { $x }, y = { $y }.
+describe-part-held = Sabitlenmiş.
+    .hand = Elinde tutuyorsun.
+describe-part-still = Hareketsiz.
+describe-part-moves = { $way } { $speed } süratle hareket ediyor.
+describe-part-alone = Ona bağlı yay yok.
+describe-part-joined = { $count ->
+    [one] { $springs } numaralı yay onu { $masses } numaralı kütleye bağlıyor.
+   *[other] { $springs } numaralı yaylar onu { $masses } numaralı kütlelere bağlıyor.
+}
+describe-part-joined-most = { $count ->
+    [one] { $count } yay onu başka bir kütleye bağlıyor.
+   *[other] { $count } yay onu başka kütlelere bağlıyor.
+}
+describe-part-touches = Bir şeye değiyor.
+describe-part-spring = { $spring } numaralı yay { $one } ve { $other } numaralı kütleleri bağlıyor.
+describe-part-length = Uzunluğu { $length }, serbest uzunluğu { $rest }.
+describe-part-strain = %{ $percent } { $sense ->
+    [stretched] uzamış
+   *[squeezed] kısalmış
+}.
+describe-part-force = { $sense ->
+    [pulls] Uçlarını { $force } kuvvetle birbirine çekiyor
+   *[pushes] Uçlarını { $force } kuvvetle birbirinden itiyor
+}.
+describe-part-broken = Kopmuş.
+describe-part-yielded = Kalıcı biçim değiştirmiş.
+describe-part-muscle = Serbest uzunluğunu en çok %{ $percent } değiştiren bir kas.
+describe-part-joint = { $joint } numaralı eklem { $mass } numaralı kütlede, { $one } ve { $other } numaralı yayların arasında.
+describe-part-angle = Açısı { $angle }, serbest açısı { $rest }.
+describe-part-torque = Torku { $torque }.
+describe-part-bends = Serbest açısını en çok { $degrees } değiştiren bir kas.
+describe-part-motor = Bir motor onu en çok { $speed } süratle döndürüyor.
+
+news-broke = { $count ->
+    [one] Bir yay koptu.
+   *[other] { $count } yay koptu.
+}
+news-touched = { $by ->
+    [floor] Cisim zemine değiyor.
+    [wall] Cisim bir duvara değiyor.
+   *[body] Cisim başka bir cisme veya kendine değiyor.
+}
+news-rest = Cisim durdu.
+news-exploded = Cisim patladı ve durduruldu.
+news-grabbed = { $mass } numaralı kütle elde.
+news-dropped = { $mass } numaralı kütle bırakıldı.
+news-running = Hareket ediyor.
+    .paused = Duraklatıldı.
+news-step = { $number }. adım: { $title }
+
 describe-title = Betimleme
 describe-close = Betimlemeyi kapat

@@ -28,5 +28,3 @@ modes-volume = Ses düzeyi
 modes-sound = Titreşim biçimlerinin sesi
     .on = Ses: açık
     .off = Ses: kapalı
-melody-heard = { $name }: { $low } ile { $high } { $unit } arası
-melody-none = { $name }: duyulacak değer yok

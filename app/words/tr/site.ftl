@@ -9,6 +9,7 @@ site-unknown = Burada şu adda bir sahne yok: { $name }.
 site-groups = Gruplar
 site-dark = Koyu sayfa
 site-made = softrod ile yapıldı. Bu sayfalar için sunucu veya ağ gerekmez.
+site-kept = Hepsi artık bu cihazda ve burada ağ olmadan da açılıyor.
 
 site-bar = Galeri
 site-all = Bütün sahneler

@@ -1,5 +1,12 @@
 view-menu = Görünüm
     .hint = Görünüm: koyu, projeksiyon, yardım ve daha fazlası
+view-move = Görünümü taşı
+    .left = Daha sola
+    .up = Daha yukarı
+    .down = Daha aşağı
+    .right = Daha sağa
+    .farther = Daha uzak
+    .nearer = Daha yakın
 view-help = softrod nasıl kullanılır
 view-help-drag = İstediğin kütleyi <b>sürükle</b>. Sabitlenmiş olanlar bıraktığın yerde kalır, serbest olanlar düşer. Kâğıdı kaydırmak için sürükle, yakınlaştırmak için tekerleği çevir veya iki parmağını kullan.
 view-help-change = “Dene” sekmesinde sertliği, sönümü, uzunlukları ve açıları <b>değiştir</b> veya “Düzenle” ile kendi cismini çiz.

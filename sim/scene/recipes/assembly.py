@@ -8,6 +8,7 @@ from typing import Annotated, NamedTuple
 
 import msgspec
 
+from ...text import Text
 from ..numbers import (
     MAX_MASSES,
     MAX_SPRINGS,
@@ -111,7 +112,7 @@ class Assembly:
             TooLarge: there are `MAX_MASSES` already.
         """
         if len(self._masses) == MAX_MASSES:
-            raise TooLarge(f"more than {MAX_MASSES} masses")
+            raise TooLarge(Text("they have more than {most} masses", most=MAX_MASSES))
         self._masses.append(Mass(position=position, mass=mass, radius=radius))
         return len(self._masses) - 1
 
@@ -132,7 +133,7 @@ class Assembly:
             TooLarge: there are `MAX_SPRINGS` already.
         """
         if len(self._linear) == MAX_SPRINGS:
-            raise TooLarge(f"more than {MAX_SPRINGS} linear springs")
+            raise TooLarge(Text("they have more than {most} linear springs", most=MAX_SPRINGS))
         self._linear.append(spring)
         return len(self._linear) - 1
 
@@ -155,7 +156,7 @@ class Assembly:
             TooLarge: there are `MAX_SPRINGS` already.
         """
         if len(self._angular) == MAX_SPRINGS:
-            raise TooLarge(f"more than {MAX_SPRINGS} angular springs")
+            raise TooLarge(Text("they have more than {most} angular springs", most=MAX_SPRINGS))
         self._angular.append(joint)
 
     def fill(self, filling: Gas | Liquid) -> None:

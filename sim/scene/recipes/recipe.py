@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
+from ...text import Text
 from ..numbers import MAX_MASSES, MAX_SPRINGS
 from ..parts import LinearSpring
 from .assembly import Parts, TooLarge
@@ -52,7 +53,7 @@ def _expanded(bodies: tuple[AnyRecipe, ...], links: tuple[LinearSpring, ...]) ->
         fillings += [replace(f, masses=tuple(i + m for i in f.masses)) for f in parts.fillings]
         # Stop before a short file with many bodies uses up all memory.
         if len(masses) > MAX_MASSES:
-            raise TooLarge(f"more than {MAX_MASSES} masses")
+            raise TooLarge(Text("they have more than {most} masses", most=MAX_MASSES))
         if max(len(linear), len(angular)) > MAX_SPRINGS:
-            raise TooLarge(f"more than {MAX_SPRINGS} springs of a kind")
+            raise TooLarge(Text("they have more than {most} springs of a kind", most=MAX_SPRINGS))
     return Parts(tuple(masses), (*linear, *links), tuple(angular), tuple(anchors), tuple(fillings))

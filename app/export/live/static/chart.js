@@ -5,13 +5,16 @@
  * @typedef {Pick<import("./quantities.js").Recording, "times" | "values" | "swings">} Recording
  * @typedef {object} Plot
  * @property {string[]} names of the quantities
+ * @property {string[]} words what they are called
  * @property {string[]} units of each
  * @property {string} over what they are plotted over; empty for the time
+ * @property {string} overWords what that is called
  * @property {string} overUnit
  * @property {boolean} turned whether y grows downwards
  */
 import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
+import { numbersOf, sentenceOf } from "../../../ui/plot_words.js";
 import { say } from "../../../words/words.js";
 import { said } from "./readings.js";
 
@@ -29,20 +32,22 @@ const COLORS = ["brand", "pulled", "torque-plus", "torque-minus", "held"];
 
 /** @param {Plot} plot @returns {{element: HTMLElement, draw: (record: Recording) => void}} */
 export function makeChart(plot) {
-  const { names, units, over, overUnit, turned } = plot;
+  const { names, words, units, over, overWords, overUnit, turned } = plot;
   const element = make("figure", "chart");
   const title = make("figcaption", "");
-  names.forEach((name, i) => {
-    const quantity = name + (units[i] && `, ${units[i]}`);
+  words.forEach((word, i) => {
+    const quantity = word + (units[i] && `, ${units[i]}`);
     const key = make("span", "", turned ? say("live-downwards", { quantity }) : quantity);
     key.prepend(make("i", `key-${COLORS[i % COLORS.length]}`));
     title.append(key, " ");
   });
-  if (over) title.append(make("span", "", say("live-over", { quantity: over + (overUnit && `, ${overUnit}`) })));
+  if (over) title.append(make("span", "", say("live-over", { quantity: overWords + (overUnit && `, ${overUnit}`) })));
   const canvas = make("canvas", "");
   canvas.setAttribute("role", "img");
   const reading = make("p", "reading");
-  element.append(title, canvas, reading);
+  /** What is in view, in numbers. @type {{along: import("../../../ui/plot_words.js").Along, curves: import("../../../ui/plot_words.js").Curve[]}} */
+  let shown = { along: { label: "", values: [], isTime: true }, curves: [] };
+  element.append(title, canvas, reading, numbersOf(() => shown));
   let due = 0;
   /** The moment that is pointed at, simulated seconds. @type {number | null} */
   let marked = null;
@@ -133,21 +138,27 @@ export function makeChart(plot) {
     if (now < due) return;
     due = now + 250;
     const found = names.map((name) => (over ? null : record.swings(name)));
-    const words = names.map((name, i) => {
+    const told = names.map((_, i) => {
       const values = curves[i], swing = found[i];
       if (!values.length) return "";
-      const reading = `${name} ${said(values[at >= 0 ? at : values.length - 1])} ${units[i]}`.trim();
+      const reading = `${words[i]} ${said(values[at >= 0 ? at : values.length - 1])} ${units[i]}`.trim();
       if (at >= 0 || !swing) return reading;
       return say("live-swing", { reading, period: said(swing.period), amplitude: `${said(swing.amplitude)} ${units[i]}`.trim() });
     });
     /** @param {"period" | "amplitude"} what */
     const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
-    const readings = words.join("; ");
+    const readings = told.join("; ");
     if (at >= 0) reading.textContent = say("live-at", { time: said(times[at]), readings });
     else if (names.length <= 2) reading.textContent = readings;
     else if (!found.every(Boolean)) reading.textContent = "";
     else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: `${of("amplitude")} ${units[0]}`.trim() });
-    canvas.ariaLabel = readings;
+    /** @param {string} name @param {string} unit */
+    const labelled = (name, unit) => name + (unit && `, ${unit}`);
+    shown = {
+      along: { label: over ? labelled(overWords, overUnit) : say("ui-plot-time"), values: along, isTime: !over },
+      curves: words.map((word, i) => ({ label: labelled(word, units[i]), values: curves[i] })),
+    };
+    canvas.ariaLabel = shown.curves.map((curve) => sentenceOf(curve, shown.along)).join(" ");
   }
   return { element, draw };
 }

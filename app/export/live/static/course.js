@@ -79,7 +79,6 @@ export class Course {
     this.body = body;
     this.name = `softrod-answers-${code}`;
     this.state = stored(this.name, steps.length);
-    this.#goal.setAttribute("role", "status");
     /** @type {LessonRun<Step, Given>} */
     this.run = new LessonRun(element("lesson", HTMLElement), steps, this.state.at, this.state.steps, {
       blank,
@@ -165,6 +164,7 @@ export class Course {
     if (record.reached && !present.reached) {
       present.reached = true;
       this.run.changed();
+      element("says", HTMLElement).textContent = say("live-goal.reached", { goal: step.goalText });
     }
     const now = performance.now();
     if (now >= this.#due) {

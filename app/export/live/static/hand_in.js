@@ -4,7 +4,7 @@
  *
  * @typedef {import("./answers.js").Sheet} Sheet
  */
-import { make, makeButton } from "../../../ui/dialog.js";
+import { make, makeButton, untranslated } from "../../../ui/dialog.js";
 import { download } from "../../../ui/download.js";
 import { language, say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
@@ -38,7 +38,7 @@ export function addHandIn(sheet, frame, rename) {
   const canvas = make("canvas", "qr");
   canvas.setAttribute("role", "img");
   canvas.ariaLabel = say("live-qr");
-  const text = make("code", "");
+  const text = untranslated(make("code", ""));
   const note = make("p", "");
   const draw = () => {
     const { text: letters, left } = packed(sheet(), frame);
@@ -53,8 +53,11 @@ export function addHandIn(sheet, frame, rename) {
     rename(typed);
     draw();
   });
+  name.querySelector("input")?.setAttribute("autocomplete", "nickname");
   const button = makeButton(say("live-save"), () => save(sheet()), "softrod-button softrod-first");
   box.addEventListener("toggle", () => box.open && draw());
+  // The browser had taken its memory back.
+  canvas.addEventListener("contextrestored", () => box.open && draw());
   box.append(make("p", "", say("live-leaves")), name, button, canvas, note, text);
   // What is answered while it is open.
   document.addEventListener("click", () => box.open && draw());

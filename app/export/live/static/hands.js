@@ -9,6 +9,9 @@
  * @typedef {import("../../../stage/environment.js").Screen} Screen
  */
 import { KeyHand } from "../../../ui/hands/key_hand.js";
+import { placeText } from "../../../stage/measures.js";
+import { takePointer } from "../../../ui/hands/take.js";
+import { say } from "../../../words/words.js";
 import { nearest, onScreen, REACH, worldAt } from "../../../stage/screen.js";
 import { element } from "../../static/parts.js";
 
@@ -28,7 +31,7 @@ export class Hands {
   #chosen = -1;
   #keys;
 
-  /** @param {HTMLCanvasElement} canvas @param {{body: Moved, plan: Plan, place: Screen}} shown what is shown now */
+  /** @param {HTMLCanvasElement} canvas @param {{body: Moved, plan: Plan, place: Screen, unit: string}} shown what is shown now */
   constructor(canvas, shown) {
     this.canvas = canvas;
     this.shown = shown;
@@ -65,6 +68,12 @@ export class Hands {
         if (hand) Object.assign(hand, { x: hand.x + x / scale, y: hand.y + (y / scale) * flip });
       },
       drop: () => this.#led.delete(KEYS),
+      where: (mass) => {
+        const { positions } = this.shown.body;
+        const { x, y } = this.#led.get(KEYS) ?? { x: positions[2 * mass], y: positions[2 * mass + 1] };
+        return placeText(x, y, this.shown.unit);
+      },
+      hint: () => "ui-mass.first",
       say: (text) => (says.textContent = text),
     });
   }
@@ -102,7 +111,9 @@ export class Hands {
     const mass = this.#massAt(event);
     if (mass < 0) return;
     event.preventDefault();
-    this.canvas.setPointerCapture(event.pointerId);
+    const { left, top } = this.canvas.getBoundingClientRect(), places = this.#places();
+    const at = { x: left + places[2 * mass], y: top + places[2 * mass + 1] };
+    takePointer(this.canvas, event, { name: say("edit-mass", { number: String(mass) }), at });
     for (const [hand, { mass: other }] of this.#led) if (other === mass) this.#led.delete(hand);
     this.#grab(event.pointerId, mass);
     this.canvas.classList.add("holds");

@@ -14,6 +14,7 @@
  * @property {import("./steps.js").Presses | null} up what the key Up does in a second; null where arrow keys do nothing
  * @property {import("./steps.js").Presses | null} right the same for the key Right
  * @property {number} joint whose angle is shown, or -1
+ * @property {string} unit of lengths
  * @property {string} energyUnit
  * @property {import("./course.js").Lesson | null} lesson
  * @property {string[]} plans arrays as pages get them: the plan on white and on dark paper
@@ -105,6 +106,10 @@ export class Live {
 
   get body() {
     return this.clock.body;
+  }
+
+  get unit() {
+    return this.about.unit;
   }
 
   /** The clock of the body where it begins. */

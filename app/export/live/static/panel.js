@@ -43,6 +43,7 @@ export class Panel {
     this.play = button("play");
     this.follow = button("follow");
     this.clock = element("clock", HTMLOutputElement);
+    this.says = part("says");
     let hasArrows = Boolean(about.up || about.right);
     const view = addView({ arrows: hasArrows, follow: !this.follow.hidden });
     // ifdef HAS_STEERING
@@ -127,6 +128,7 @@ export class Panel {
     const { live: { shown, body, clock, playing, hands }, play, stopped } = this;
     const icon = playing ? "pause" : "play";
     if (play.dataset.icon !== icon) {
+      this.says.textContent = say(playing ? "ui-running" : "ui-running.paused");
       play.dataset.icon = icon;
       play.ariaLabel = say(playing ? "live-pause" : "live-play");
       this.#due = 0;

@@ -4,7 +4,7 @@
  *
  * @typedef {import("./settings.js").Setting} Setting
  */
-import { make } from "../../../ui/dialog.js";
+import { make, untranslated } from "../../../ui/dialog.js";
 import { said } from "./readings.js";
 
 /** Positions of a slider. */
@@ -42,7 +42,8 @@ function placeOf({ low, high, logarithmic }, value) {
 /** @param {Setting} setting @param {(value: number) => void} change @returns {Control} */
 function slider(setting, change) {
   const input = make("input", "");
-  const shown = make("output", "");
+  const shown = untranslated(make("output", ""));
+  shown.ariaLive = "off"; // the slider says it
   const unit = setting.unit && setting.unit !== "°" ? ` ${setting.unit}` : setting.unit;
   const show = (/** @type {number} */ value) => {
     shown.textContent = said(value) + unit;

@@ -1,0 +1,121 @@
+"""What D says of a body, and of the part of it that is chosen."""
+
+from __future__ import annotations
+
+import re
+import time
+
+import pytest
+
+import sim
+from app.features.describe.messages import Describe, Described, FollowTouches, Touched
+from app.features.describe.part import of_part
+from app.features.describe.touches import TouchWatch
+from app.features.edit.messages import Select
+from app.features.hands.messages import Grab
+from app.session import commands
+from app.wire.from_page import Perform
+from sim.analysis.part_description import describe_joint, describe_part, describe_spring
+from tests.app.whole import WholePage
+
+
+def said(page: WholePage) -> str:
+    return page.client.mail.last(Described).text
+
+
+def touched(page: WholePage) -> list[Touched]:
+    return [each for each in page.client.mail.sent if isinstance(each, Touched)]
+
+
+def says(page: WholePage, text: str) -> bool:
+    """Whether the page says something within seconds: how a body swings is found in a thread."""
+    end = time.monotonic() + 10.0
+    while text not in said(page) and time.monotonic() < end:
+        time.sleep(0.01)
+        page.frames(1)
+    return text in said(page)
+
+
+def test_the_chosen_part_is_described_and_with_shift_the_body() -> None:
+    page = WholePage("rod")
+    page.frames(20)
+    page.frames(3, commands.Play(False))
+    page.frames(2, Describe(mass=4))
+    x, y = page.simulation.positions[4]
+    found = re.match(r"Mass 4, .* kg, is at x = ([\d.]+) px, y = ([\d.]+) px\.", said(page))
+    assert found
+    assert float(found[1]) == pytest.approx(x, rel=0.02)
+    assert float(found[2]) == pytest.approx(y, rel=0.02)
+    assert "join it to masses 3 and 5" in said(page)
+    # What is selected comes before the mass that was clicked.
+    page.frames(3, Select(springs=(2,)))
+    page.frames(2, Describe(mass=4))
+    assert said(page).startswith("Spring 2 joins masses 2 and 3.")
+    page.frames(3, Select(joints=(1,)))
+    page.frames(2, Describe())
+    assert said(page).startswith("Joint 1 is at mass 2, between springs 1 and 2.")
+    page.frames(2, Perform("describeBody"))
+    assert says(page, "A chain of")
+    # Of several selected parts the body is described, as without any.
+    page.frames(2, Describe(mass=4))
+    page.frames(3, Select(springs=(2, 3)))
+    page.frames(2, Describe())
+    assert says(page, "A chain of")
+    page.frames(3, Select())
+    page.frames(2, Describe(mass=4))
+    page.frames(2, Describe(mass=4000))
+    assert says(page, "A chain of")
+
+
+def test_a_held_mass_a_mass_in_hand_and_one_without_springs_are_told_apart() -> None:
+    page = WholePage("rope")
+    page.frames(5, Describe(mass=0))
+    assert "It is held." in said(page)
+    page.frames(5, Grab(0, 3, 0.0, 0.0), Describe(mass=3))
+    page.frames(2, Describe(mass=3))
+    assert "It is in your hand." in said(page)
+
+
+def test_muscles_motors_and_forces_are_said() -> None:
+    worm = sim.load_scene("worm")
+    simulation = sim.Simulation(worm)
+    muscles = [s for s, spring in enumerate(worm.linear_springs) if spring.muscle]
+    joints = [j for j, joint in enumerate(worm.angular_springs) if joint.muscle or joint.motor]
+    texts = [of_part(describe_spring(simulation, worm, s), worm) for s in muscles]
+    texts += [of_part(describe_joint(simulation, worm, j), worm) for j in joints]
+    assert texts
+    assert all("muscle" in text or "motor" in text for text in texts)
+    rope = sim.Simulation(sim.rope(masses=4))
+    rope.step(100)
+    text = of_part(describe_part(rope, rope.scene, "spring", 0), rope.scene)
+    assert re.search(r"It is stretched by [\d.]+ %\. It pulls its ends together with [\d.]+ kg px/s²\.", text)
+
+
+def test_a_touch_is_told_once_after_the_body_was_free_and_only_on_demand() -> None:
+    # A mass that falls on a floor, bounces and comes to rest there.
+    floor = sim.Wall(point=(300.0, 500.0), normal=(0.0, -1.0), bounciness=0.5, restitution="constant")
+    scene = sim.Scene(
+        name="ball", masses=(sim.Mass(position=(300.0, 400.0)),), gravity=(0.0, 1000.0), walls=(floor,)
+    )
+    page = WholePage(scene)
+    page.frames(60)
+    assert not touched(page)
+    page.frames(2, commands.Reset())
+    page.frames(600, FollowTouches(on=True))
+    told = touched(page)
+    assert told
+    assert {each.by for each in told} == {"floor"}
+    assert len(told) < 4  # small bounces are no news
+
+
+def test_what_lies_on_a_floor_is_no_news_however_seldom_it_is_looked_at() -> None:
+    floor = sim.Wall(point=(300.0, 500.0), normal=(0.0, -1.0))
+    resting = sim.Simulation(
+        sim.Scene(
+            name="ball", masses=(sim.Mass(position=(300.0, 500.2)),), gravity=(0.0, 500.0), walls=(floor,)
+        )
+    )
+    watch = TouchWatch()
+    for wall in range(20):
+        assert watch.look(resting, 1, -1.0, float(wall)) is None
+        resting.step(200)
