@@ -332,11 +332,13 @@ def test_the_desk_s_head_has_room_and_words_do_nothing_where_letters_are_no_keys
     expect(desk.locator(".softrod-desk-code")).to_have_text(school.classroom.room.code)
     beyond = "(part) => part.scrollWidth - part.clientWidth"
     assert desk.locator(".softrod-desk").evaluate(beyond) == 0
+    expect(desk.locator(".softrod-loading")).to_have_count(0)
     desk.evaluate("document.activeElement.blur()")
-    before = desk.locator("body").inner_text(), school.classroom.room.phase
+    before = desk.locator(".softrod-desk").inner_text(), school.classroom.room.phase
     desk.keyboard.type(15 * "pack my box with five dozen liquor jugs, 0 or 10. Then go on: quit? ")
     desk.wait_for_timeout(200)
-    assert (desk.locator("body").inner_text(), school.classroom.room.phase) == before
+    assert (desk.locator(".softrod-desk").inner_text(), school.classroom.room.phase) == before
+    assert desk.locator("dialog[open]").count() == 0
 
 
 def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: School) -> None:

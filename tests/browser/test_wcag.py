@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
 from app.classroom import kept
 from tests.amount import part_of
 from tests.browser import seen
+from tests.browser.driver import box_of
 from tests.browser.places import PLACES, Place, Places, places
 from tests.browser.test_class import CONTRAST, a_lesson
 
@@ -111,6 +112,27 @@ def test_in_the_smallest_window_all_is_there_and_scrolled_one_way(all_places: Pl
         over = measured(page, ("unreached", OVER))
         page.locator(".softrod-handle").click()
         assert over == []
+
+
+@pytest.mark.parametrize("name", part_of(("lesson", "live lesson", "lesson on a phone"), 3))
+def test_in_the_smallest_window_a_step_of_a_lesson_is_done(all_places: Places, name: str) -> None:
+    """Read, answered, run, its plot read, and left: all of it is scrolled to, and nothing lies over it."""
+    all_places.close()
+    page, _ = shown(all_places, name, SMALLEST)
+    page.get_by_role("button", name="100 px").click()
+    if name == "live lesson":
+        page.get_by_role("button", name="It will be there").click()
+    page.locator(":is(.softrod-play, #play)").click()
+    plot = page.locator(":is(.softrod-chart, .chart canvas)").first
+    plot.scroll_into_view_if_needed()
+    box = box_of(plot)
+    assert box["x"] >= 0.0 and box["x"] + box["width"] <= SMALLEST["width"]
+    assert box["height"] <= SMALLEST["height"]
+    page.get_by_role("button", name="Check my answer").click()
+    expect(page.locator(".softrod-verdict")).to_contain_text("That is right.")
+    page.get_by_role("button", name="Next step").click()
+    expect(page.locator(".softrod-lesson-count")).to_contain_text("2 of 4")
+    all_places.close()
 
 
 def test_at_twice_the_size_nothing_is_cut_or_covered(all_places: Places, name: str) -> None:
