@@ -293,7 +293,7 @@
     const found = new Map();
     const look = (element, text) => {
       if (element.closest("[translate=no], code, script, style, noscript, [lang]:not(html)") || !isShown(element)) return;
-      const words = (text ?? "").match(/\p{L}+/gu) ?? [];
+      const words = (text ?? "").replace(/https?:\S+/g, "").match(/\p{L}+/gu) ?? [];
       if (words.some((word) => /^[A-Za-z]{3,}$/.test(word) && /[aceinouydgklrstz]/.test(word))) found.set(tidy(text), element);
     };
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);

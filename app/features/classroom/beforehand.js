@@ -1,7 +1,7 @@
 // @ts-check
 /** What a teacher looks at before the class, one after the other: the lesson, the network, a check, the wall. */
 import { send } from "../../wire/channel.js";
-import { make } from "../../ui/dialog.js";
+import { make, untranslated } from "../../ui/dialog.js";
 import { say } from "../../words/words.js";
 import { box, qrCode, sayWith, typedAddress } from "./elements.js";
 
@@ -48,7 +48,7 @@ function network({ networks, address }) {
 
 /** @param {import("../../wire/wire.js").Desk} desk @returns {Part} */
 function check({ check, check_qr, tried, seats }) {
-  const link = Object.assign(make("a", "", typedAddress(check)), { href: check, target: "_blank" });
+  const link = Object.assign(untranslated(make("a", "", typedAddress(check))), { href: check, target: "_blank" });
   link.dataset.focus = "check";
   const found = box("ul", "", ...tried.map((one) => make("li", one.works ? "" : "softrod-warning", words(one))));
   found.setAttribute("role", "status");
