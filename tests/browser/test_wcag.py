@@ -42,6 +42,30 @@ SHEETS = ("sandbox", "phone", "lesson", "lesson on a phone")
 OVER = ".softrod-over, .softrod-menu, .softrod-box, .softrod-edit, .softrod-pad, .softrod-transport"
 """What is over the canvas while that sheet is closed."""
 
+SPACED = """(on) => {
+  document.adoptedStyleSheets = document.adoptedStyleSheets.filter((sheet) => !sheet.spaced);
+  if (!on) return;
+  const sheet = Object.assign(new CSSStyleSheet(), { spaced: true });
+  sheet.replaceSync("* { line-height: 1.5 !important; letter-spacing: 0.12em !important }"
+    + " * { word-spacing: 0.16em !important } p { margin-bottom: 2em !important }");
+  document.adoptedStyleSheets.push(sheet);
+}"""
+
+STOPS = 25
+"""Presses of Tab."""
+
+HIDDEN = """() => {
+  const at = document.activeElement;
+  if (!at || at === document.body || at.matches("canvas, [role=application]")) return "";
+  const { left, top, width, height } = (at.labels?.[0] ?? at).getBoundingClientRect();
+  const seen = [0.1, 0.5, 0.9].some((i) => [0.1, 0.5, 0.9].some((j) => {
+    const hit = document.elementFromPoint(left + i * width, top + j * height);
+    return hit && (at.contains(hit) || hit.contains(at) || at.labels?.[0]?.contains(hit));
+  }));
+  return seen ? "" : `${at.localName} ${at.ariaLabel ?? at.textContent.slice(0, 40)}`;
+}"""
+"""What has the focus, if all of it is out of the window or under something."""
+
 TEXTS = """() => {
   const found = {};
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -165,6 +189,27 @@ def test_where_more_contrast_is_wished_letters_have_it(all_places: Places, name:
         found += pale(page, READ)
     page.emulate_media(contrast="no-preference", color_scheme="light")
     assert not found
+
+
+def test_with_the_spaces_that_a_reader_sets_nothing_is_cut(all_places: Places, name: str) -> None:
+    """1.4.12: of lines, paragraphs, letters and words."""
+    page, _ = shown(all_places, name)
+    page.evaluate(SPACED, True)
+    faults = [fault for fault in measured(page, ("cut",)) if "…' cut" not in fault]
+    page.evaluate(SPACED, False)
+    assert faults == []
+
+
+def test_what_has_the_focus_is_seen(all_places: Places, name: str) -> None:
+    """2.4.11: nothing lies over all of it."""
+    page, _ = shown(all_places, name)
+    hidden = set()
+    for _ in range(STOPS):
+        page.keyboard.press("Tab")
+        if fault := page.evaluate(HIDDEN):
+            hidden.add(fault)
+    all_places.close()
+    assert hidden == set()
 
 
 def test_all_letters_grow_with_those_of_the_browser(all_places: Places, name: str) -> None:
