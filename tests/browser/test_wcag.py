@@ -107,7 +107,16 @@ def shown(all_places: Places, name: str, size: dict[str, int] | None = None) -> 
 
 
 def measured(page: Page, *questions: tuple[Any, ...]) -> list[str]:
-    """What is wrong with a page, by these questions to `visible.js`."""
+    """What is wrong with a page, by these questions to `visible.js`; again if something is, as it may be about
+    to take its place in another window."""
+    first = _asked(page, questions)
+    if not first:
+        return []
+    page.wait_for_timeout(500)
+    return [one for one in first if one in _asked(page, questions)]
+
+
+def _asked(page: Page, questions: tuple[tuple[Any, ...], ...]) -> list[str]:
     return [
         f"{name}: {fault['kind']} {fault['words']!r} {fault['more']}"
         for name, *values in questions
