@@ -107,8 +107,10 @@ def shown(all_places: Places, name: str, size: dict[str, int] | None = None) -> 
 
 
 def measured(page: Page, *questions: tuple[Any, ...]) -> list[str]:
-    """What is wrong with a page, by these questions to `visible.js`; again if something is, as it may be about
-    to take its place in another window."""
+    """What is wrong with a page, by these questions to `visible.js`.
+
+    They are asked again if something is, as it may be about to take its place in another window.
+    """
     first = _asked(page, questions)
     if not first:
         return []
