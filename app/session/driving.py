@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 import sim
 from sim.errors import InputError
 
-from ..words import say
+from ..words import decimal, say
 from . import log
 from .modes import ModesWatch
 from .record import Recorder
@@ -69,7 +69,7 @@ class Drive:
             raise InputError(f"there is no mode {mode + 1} to drive")
         w = float(modes.omega[mode])
         if (period := 2.0 * math.pi / w) < 4.0 * simulation.dt:
-            raise InputError(say("session-mode-fast", mode=mode + 1, period=f"{period:.3g}"))
+            raise InputError(say("session-mode-fast", mode=mode + 1, period=decimal(f"{period:.3g}")))
         full, mass = float(watch.full[mode]), float(modes.masses[mode])
         now = simulation.time
         if (supports := modes.supports(mode)) is None:

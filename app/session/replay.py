@@ -10,7 +10,7 @@ import sim
 from sim.errors import InputError, SceneError, SettingError, of_field
 from sim.motion.solver import UNLIMITED
 
-from ..words import say
+from ..words import decimal, say
 from ..words.keys import Key
 from . import log
 from .history import History
@@ -176,7 +176,7 @@ class Player:
         elif len(check.at) == len(some):
             apart = float(np.hypot(*(some - check.at).T).max())
             unit = self.simulation.scene.view.unit
-            how = say("session-differs-apart", distance=f"{apart:.3g} {unit}")
+            how = say("session-differs-apart", distance=decimal(f"{apart:.3g} {unit}"))
         else:
             how = say("session-differs-unknown")
         step, time_then, agreed = str(check.step), f"{check.time:.6g}", str(self._agreed)

@@ -65,7 +65,7 @@ def hud(session: Session, colors: Palette, at_rest: bool, meter: bool = False) -
     lines += _damage(session, colors)
     rates = session.pacer.rates(session.now())
     if rates.losing > 0.05 and rates.real_time_factor < 0.95:
-        lines.append(_span("softrod-quiet", say("hud-slow", factor=f"{rates.real_time_factor:.2g}")))
+        lines.append(_span("softrod-quiet", say("hud-slow", factor=decimal(f"{rates.real_time_factor:.2g}"))))
     behind = max(session.simulation.behind.values(), default=0.0)
     if behind > _BEHIND:
         distance = f"{behind:.0f} {session.scene.view.unit}"
@@ -293,10 +293,10 @@ def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
     effects = []
     if one.sag is not None and sag is not None and abs(0.01 * one.sag) > _NEGLIGIBLE * abs(sag):
         key: Key = "tuning-more-sag" if one.sag > 0.0 else "tuning-less-sag"
-        effects.append(say(key, sag=f"{abs(0.01 * one.sag):.2g} {unit}"))
+        effects.append(say(key, sag=decimal(f"{abs(0.01 * one.sag):.2g} {unit}")))
     if one.frequency is not None and abs(0.01 * one.frequency) > _NEGLIGIBLE:
         key = "tuning-faster" if one.frequency > 0.0 else "tuning-slower"
-        effects.append(say(key, percent=f"{abs(one.frequency):.2g}"))
+        effects.append(say(key, percent=decimal(f"{abs(one.frequency):.2g}")))
     return ", ".join(effects)
 
 
@@ -311,7 +311,7 @@ def _rate(frequency: float, ratio: float) -> str:
     hertz, period = decimal(f"{frequency:.3g}"), _duration(1.0 / frequency)
     if ratio < 1e-4:
         return say("tuning-rate.undamped", frequency=hertz, period=period)
-    return say("tuning-rate", frequency=hertz, period=period, ratio=f"{ratio:.2g}")
+    return say("tuning-rate", frequency=hertz, period=period, ratio=decimal(f"{ratio:.2g}"))
 
 
 def _duration(seconds: float) -> str:

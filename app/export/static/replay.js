@@ -12,7 +12,7 @@
  */
 import { between, readDamage, readFrame, readPlan, UNHARMED } from "../../stage/plan.js";
 import { sections } from "../../wire/unpack.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 import { paint } from "./paint.js";
 import { element, unpacked } from "./parts.js";
 
@@ -62,7 +62,7 @@ function player(about, motion) {
   const show = () => {
     const frame = draw();
     slider.value = String(time);
-    clock.value = `${frame.time.toFixed(2)} s`;
+    clock.value = `${decimal(frame.time.toFixed(2))} s`;
     slider.setAttribute("aria-valuetext", clock.value);
     play.dataset.icon = playing ? "pause" : time >= seconds ? "again" : "play";
     play.ariaLabel = say(playing ? "live-pause" : time >= seconds ? "replay-again" : "live-play");

@@ -9,7 +9,7 @@ import { makeSvg, set } from "../../stage/svg.js";
 import { wireNumber } from "../../stage/screen.js";
 import { ARROWS } from "../../ui/hands/arrow_keys.js";
 import { takePointer } from "../../ui/hands/take.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** @typedef {import("../../stage/plan.js").Plan} Plan */
 /** @typedef {import("../../stage/plan.js").Frame} Frame */
@@ -253,7 +253,7 @@ export class OwnPrediction {
 /** How far something was moved, along the way that is longer. @param {number} right @param {number} down @param {string} unit of both */
 export function movedText(right, down, unit) {
   const isUpright = Math.abs(down) >= Math.abs(right), by = isUpright ? down : right;
-  const length = `${Number(Math.abs(by).toPrecision(3))} ${unit}`;
+  const length = `${decimal(String(Number(Math.abs(by).toPrecision(3))))} ${unit}`;
   if (isUpright) return say(by > 0 ? "class-moved.lower" : "class-moved.higher", { length });
   return say(by > 0 ? "class-moved.right" : "class-moved.left", { length });
 }

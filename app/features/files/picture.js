@@ -8,6 +8,7 @@
  *
  * @typedef {import("../../ui/viser/viser.js").Renderer} Renderer
  */
+import { decimal } from "../../words/words.js";
 import { hold } from "../../stage/canvas.js";
 import { pageState } from "../../wire/channel.js";
 import { SVG } from "../../stage/svg.js";
@@ -175,7 +176,7 @@ async function picture() {
   to.font = `600 18px ${styled("font")}`;
   to.fillText(pageState().title ?? "", 18, 32);
   to.font = `14px ${styled("font")}`;
-  to.fillText(`t = ${time.toFixed(2)} s`, 18, 54);
+  to.fillText(`t = ${decimal(time.toFixed(2))} s`, 18, 54);
   return result;
 }
 

@@ -27,7 +27,7 @@ from ...session import commands
 from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change, on_press
-from ...words import say
+from ...words import decimal, say
 from ...words.english import of
 from ...words.keys import Key
 from ...words.settings import label_of
@@ -373,7 +373,7 @@ def _found_html(found: Fit) -> str:
     """Return the numbers with their intervals, the residuals, and what the data cannot determine, as HTML."""
     rows = {html.escape(each.name): html.escape(of(each.text)) for each in found.values.values()}
     left = [
-        say("fit-left", column=each.column, noise=f"{each.noise:.3g} {each.unit}".rstrip())
+        say("fit-left", column=each.column, noise=decimal(f"{each.noise:.3g} {each.unit}".rstrip()))
         for each in found.series
     ]
     said = "".join(f"<p>{html.escape(of(line))}</p>" for line in (*left, *found.sentences))

@@ -13,7 +13,7 @@ import { pageState } from "../../wire/channel.js";
 import { digits, protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** Pixels between a point and its grip. */
 const AWAY = 24;
@@ -179,7 +179,7 @@ class Protractor extends LineFace {
     }
     set(this.marks, { d: marks });
     this.putGrips(placed, ends);
-    const lines = [`${angle.toFixed(1)}°`, say("instruments-bend", { angle: `${bend.toFixed(1)}°` })];
+    const lines = [decimal(`${angle.toFixed(1)}°`), say("instruments-bend", { angle: decimal(`${bend.toFixed(1)}°`) })];
     // Between the sides, or behind the corner where there is no room.
     const [outwards, far] = angle < NARROW ? [way(angle / 2 + 180), AWAY + 2 * GRIP] : [way(angle / 2), radius + size];
     this.writeLines(lines, beyond(vertex, outwards, far), outwards, size);
@@ -207,11 +207,11 @@ class Stopwatch extends BaseFace {
     const [width, height] = [11 * size, 6.6 * size];
     put(this.group, { x: x - width / 2, y: y - height / 2 });
     set(this.body, { width, height, rx: 0.7 * size });
-    const seconds = `${watchReading(watch, timeNow()).toFixed(2)} s`;
+    const seconds = decimal(`${watchReading(watch, timeNow()).toFixed(2)} s`);
     set(this.time, { x: width / 2, y: 1.6 * size });
     write(this.time, seconds);
     set(this.laps, { x: width / 2, y: 3.2 * size });
-    write(this.laps, watch.laps.slice(-3).map((lap) => lap.toFixed(2)).join("  "));
+    write(this.laps, watch.laps.slice(-3).map((lap) => decimal(lap.toFixed(2))).join("  "));
     const words = BUTTONS[watch.since === null ? "stands" : "runs"].map((key) => say(key));
     words.forEach((word, i) => {
       const [left, wide] = [(0.6 + 5 * i) * size, 4.8 * size];
@@ -249,8 +249,8 @@ class LightGate extends LineFace {
     const crossed = (placed.gate?.crossings ?? []).filter(({ time }) => time <= frame.time).slice(-CROSSINGS).reverse();
     const several = new Set(crossed.map(({ mass }) => mass)).size > 1;
     const told = crossed.map(({ mass, time, since }) => {
-      const interval = since === null ? "" : `  Δt ${since.toFixed(3)} s`;
-      return `${time.toFixed(3)} s${interval}${several ? `  ${say("instruments-crossed", { mass })}` : ""}`;
+      const interval = since === null ? "" : `  Δt ${decimal(since.toFixed(3))} s`;
+      return `${decimal(time.toFixed(3))} s${interval}${several ? `  ${say("instruments-crossed", { mass })}` : ""}`;
     });
     const lines = told.length ? told : [say("instruments-nothing")];
     this.writeLines([...lines, ...Array(CROSSINGS - lines.length).fill("")], beyond(middle, normal, size), normal, size);

@@ -15,6 +15,7 @@
  *   on the canvas; all but what crossed its gate is stored
  * @typedef {import("../../stage/screen.js").Screen} Screen
  */
+import { decimal } from "../../words/words.js";
 import { roundUp } from "../../stage/axes.js";
 import { nearest, worldAt } from "../../stage/screen.js";
 
@@ -28,7 +29,7 @@ const MAX_TICKS = 600;
 const MAX_LAPS = 4;
 
 /** A reading, with a typographic minus sign. @param {number} value */
-export const digits = (value) => value.toFixed(Math.abs(value) < 9.995 ? 2 : 1).replace("-", "−");
+export const digits = (value) => decimal(value.toFixed(Math.abs(value) < 9.995 ? 2 : 1)).replace("-", "−");
 
 /**
  * Where points are on the screen. A point on a mass is moved to that mass; in a body without such a mass it stays.

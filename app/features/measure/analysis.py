@@ -16,7 +16,7 @@ from sim.errors import InputError
 
 from ...session.plots import Plot, Span
 from ...ui import readouts
-from ...words import find, say
+from ...words import decimal, find, say
 from ...words.english import of
 from ...words.keys import Key
 
@@ -167,7 +167,7 @@ def draw_spectra(plot: Plot, span: Span, points: int = POINTS) -> DrawnSpectrum:
         )
         none = say(_NO_SPECTRUM if each is None else "measure-spectrum-no-peak")
         lines.append(f"{html.escape(quantity.name)}: {', '.join(said) or none}")
-    lines.append(say("measure-spectrum-of", seconds=f"{duration:.3g}"))
+    lines.append(say("measure-spectrum-of", seconds=decimal(f"{duration:.3g}")))
     return DrawnSpectrum(frequencies[starts], amplitudes, tuple(marked), _text(lines))
 
 

@@ -85,18 +85,20 @@ class _OpenPlot:
             self.live = gui.add_checkbox(
                 say("measure-hear-live"), initial_value=False, hint=hint, order=order + 3.5
             )
-            self._lists = self._add_lists(order + 4) if is_own else ()
+            self._lists = self._add_lists(order + 4)
 
     def _add_lists(self, order: float) -> tuple[viser.GuiDropdownHandle[str], ...]:
-        """Add what a user chooses for this plot alone."""
+        """Add what a user chooses for this plot alone; in a lesson, how it is analysed."""
         page, gui = self._page, self._page.client.gui
-        span = gui.add_dropdown(say("measure-span"), tuple(SPANS), initial_value=SPAN, order=order)
         kinds = {analysis.label_of(each): each for each in self._kinds}
         kind = gui.add_dropdown(
             say("measure-analysis"), tuple(kinds), initial_value=next(iter(kinds)), order=order + 1
         )
-        on_change(span, lambda: page.later(partial(self._set_span, span.value)))
         on_change(kind, lambda: page.later(partial(self._prepare, kinds.get(kind.value, ""))))
+        if not self._is_own:
+            return (kind,)
+        span = gui.add_dropdown(say("measure-span"), tuple(SPANS), initial_value=SPAN, order=order)
+        on_change(span, lambda: page.later(partial(self._set_span, span.value)))
         return span, kind
 
     @property

@@ -11,7 +11,7 @@ from sim.solve.registry import METHODS
 
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command
-from ...words import say
+from ...words import decimal, say
 from ...words.settings import options_of
 from .job import Job, paragraph
 
@@ -80,7 +80,7 @@ def advice_for(advice: Advice, error: float) -> str:
     if advice.moved <= error:
         return say("solver-advice-still", error=to)
     if advice.is_doubtful(error):
-        return say("solver-advice-doubt", error=to, doubt=f"{advice.doubt:.1g}")
+        return say("solver-advice-doubt", error=to, doubt=decimal(f"{advice.doubt:.1g}"))
     best, other = best_two(advice.tried, error)
     if best is None:
         return say("solver-advice-none", error=to)
@@ -97,7 +97,7 @@ def advice_for(advice: Advice, error: float) -> str:
         off=off,
         other=second,
         far=far,
-        ratio=f"{ratio:.2g}",
+        ratio=decimal(f"{ratio:.2g}"),
     )
 
 

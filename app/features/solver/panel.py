@@ -14,7 +14,7 @@ from ...ui import readouts
 from ...ui.page import Page
 from ...ui.viser.choice_box import ChoiceBox
 from ...ui.viser.handlers import on_change
-from ...words import find, say
+from ...words import decimal, find, say
 from ...words.keys import Key
 from ...words.settings import options_of
 from .method_panel import MethodPanel
@@ -159,7 +159,12 @@ def _sentence(scene: Scene) -> str:
     name = options_of("method")[solver.method]
     if METHODS[solver.method].adaptive:
         return say("solver-adaptive", method=name, tolerance=f"{solver.tolerance:g}")
-    return say("solver-fixed", method=name, rate=f"{1.0 / solver.dt:.0f}", step=f"{1e3 * solver.dt:g}")
+    return say(
+        "solver-fixed",
+        method=name,
+        rate=decimal(f"{1.0 / solver.dt:.0f}"),
+        step=decimal(f"{1e3 * solver.dt:g}"),
+    )
 
 
 def _about(method: str) -> str:

@@ -28,7 +28,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_change
 from ...ui.viser.look import describe_control
 from ...ui.viser.slider_box import SliderBox, alike, allows, rounded
-from ...words import say
+from ...words import decimal, say
 from .job import MAX_MASSES, Job, paragraph, sentence, worker
 
 APPLY_TIMEOUT = 1.0
@@ -319,7 +319,7 @@ class TuningPanel:
             return ""
         design, label = designed
         if key == "dt" and design.factors == Factors():
-            return say("solver-is-stable.target", step=f"{1e3 * value:.3g} ms")
+            return say("solver-is-stable.target", step=decimal(f"{1e3 * value:.3g} ms"))
         applied = threading.Event()
 
         def make(moment: sim.Moment, _: Selection) -> Edit:
@@ -360,7 +360,7 @@ class TuningPanel:
         if elastic is None:
             text = say("solver-not-critical.text", step=step)
         else:
-            text = say("solver-not-critical.ratio", step=step, ratio=f"{elastic.damping_ratio:.2g}")
+            text = say("solver-not-critical.ratio", step=step, ratio=decimal(f"{elastic.damping_ratio:.2g}"))
         self._notify(Notice("info", say("solver-not-critical"), text))
 
     def _change(self, made: sim.Scene, scene: sim.Scene, label: str) -> None:
@@ -371,24 +371,26 @@ class TuningPanel:
 def _designed(scene: sim.Scene, key: str, value: float) -> tuple[Design, str] | None:
     """Return the design that meets a target, and its label; None if there is no vibration to change."""
     if key == "calm_after":
-        return sim.set_wishes(scene, calm_after=value), say("solver-did-calm", seconds=f"{value:.3g}")
+        return sim.set_wishes(scene, calm_after=value), say(
+            "solver-did-calm", seconds=decimal(f"{value:.3g}")
+        )
     if key == "sag":
         return sim.set_wishes(scene, sag=value), say(
-            "solver-did-sag", length=f"{value:.3g} {scene.view.unit}"
+            "solver-did-sag", length=decimal(f"{value:.3g} {scene.view.unit}")
         )
     if key == "dt":
-        return sim.set_wishes(scene, dt=value), say("solver-did-dt", step=f"{1e3 * value:.3g} ms")
+        return sim.set_wishes(scene, dt=value), say("solver-did-dt", step=decimal(f"{1e3 * value:.3g} ms"))
     elastic = sim.tuning(scene).elastic
     if elastic is None:
         return None
     if key == "damping":
         calm = TENTH / (math.tau * elastic.frequency * value)
-        return sim.set_wishes(scene, calm_after=calm), say("solver-did-ratio", ratio=f"{value:.2g}")
+        return sim.set_wishes(scene, calm_after=calm), say("solver-did-ratio", ratio=decimal(f"{value:.2g}"))
     # The damping ratio stays, unless nothing damps the vibration.
     ratio = elastic.damping_ratio
     calm = TENTH / (math.tau * value * ratio) if 1e-3 < ratio < 1.0 else None
     return sim.set_wishes(scene, frequency=value, calm_after=calm), say(
-        "solver-did-frequency", frequency=f"{value:.3g}"
+        "solver-did-frequency", frequency=decimal(f"{value:.3g}")
     )
 
 

@@ -39,7 +39,7 @@ const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
  * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, a
- * plot arrows, the open box of instruments Esc.
+ * plot arrows, a tab that was reached by the Tab key arrows across, the open box of instruments Esc.
  *
  * @param {KeyboardEvent} event
  */
@@ -48,6 +48,7 @@ function isTaken({ target, code, key }) {
   if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
   if (target.matches(".softrod-mode")) return (key in ARROWS && target.matches(":focus-visible")) || code === "Space";
   if (target.matches(".softrod-chart")) return key in ARROWS;
+  if (target.matches("[role=tab]")) return !byPointer && (key === "ArrowLeft" || key === "ArrowRight");
   if (target.matches(".softrod-steps button")) return key === "ArrowUp" || key === "ArrowDown";
   if (target.matches(".softrod-muscle")) return key in ARROWS || code === "Space";
   return target.matches(".softrod-body, .softrod-grip, .softrod-own-grip") && (key in ARROWS || code === "Space");

@@ -373,7 +373,10 @@ desk-count-idle = { $count ->
 desk-chose = Was gewählt wurde
   .now = Was bisher gewählt ist
 desk-sealed = nur Sie sehen das
-desk-most = { $count } haben „{ $choice }“ gewählt: Fragen Sie nach, warum.
+desk-most = { $count ->
+    [one] Eine Wahl fiel auf „{ $choice }“: Fragen Sie nach, warum.
+   *[other] { $count } haben „{ $choice }“ gewählt: Fragen Sie nach, warum.
+  }
 desk-predicted = { $count } haben eine Vorhersage gezogen.
   .some = { $count } von { $all } haben eine Vorhersage gezogen.
 desk-found = Was bisher gefunden ist

@@ -7,7 +7,7 @@
  * @typedef {import("./steps.js").Hand} Hand
  * @typedef {import("./steps.js").Presses} Presses
  */
-import { say } from "../../../words/words.js";
+import { decimal, say } from "../../../words/words.js";
 import { Past } from "./past.js";
 import { StabilityMeter } from "./stability.js";
 import { advance, METHODS } from "./steps.js";
@@ -46,7 +46,7 @@ function fastest(body, led) {
 }
 
 /** @param {number} seconds */
-const number = (seconds) => String(Number(seconds.toPrecision(2)));
+const number = (seconds) => decimal(String(Number(seconds.toPrecision(2))));
 
 /** A body in time. */
 export class Clock {

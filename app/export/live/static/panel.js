@@ -10,7 +10,7 @@
 import { isMeantElsewhere } from "../../../ui/access.js";
 import { heldArrow } from "../../../ui/hands/arrow_keys.js";
 import { listenToPad, releasePad } from "../../../ui/hands/arrow_pad.js";
-import { say } from "../../../words/words.js";
+import { decimal, say } from "../../../words/words.js";
 import { element } from "../../static/parts.js";
 import { head, numbers } from "./readings.js";
 import { settingRow } from "./sliders.js";
@@ -142,7 +142,7 @@ export class Panel {
     const now = performance.now();
     if (now < this.#due) return;
     this.#due = now + UPDATE_EVERY;
-    this.clock.value = `${body.time.toFixed(2)} s`;
+    this.clock.value = `${decimal(body.time.toFixed(2))} s`;
     this.hud.replaceChildren(...head(shown, body, clock, playing));
     this.readings.replaceChildren(...numbers(shown, body, clock));
   }

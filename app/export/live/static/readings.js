@@ -8,7 +8,7 @@
  */
 import { make } from "../../../ui/dialog.js";
 import { YIELDED } from "../../../stage/looks.js";
-import { say } from "../../../words/words.js";
+import { decimal, say } from "../../../words/words.js";
 import { energies } from "./energy.js";
 
 /** Fraction of real time below which the file says that it is slowed down. */
@@ -20,7 +20,7 @@ const WARN = 0.7;
 
 /** A number as it is read. @param {number} value */
 export const said = (value) =>
-  Math.abs(value) >= 1e6 || (value && Math.abs(value) < 1e-4) ? value.toExponential(2).replace("e+", "e") : String(Number(value.toPrecision(4)));
+  decimal(Math.abs(value) >= 1e6 || (value && Math.abs(value) < 1e-4) ? value.toExponential(2).replace("e+", "e") : String(Number(value.toPrecision(4))));
 
 /** What energies are called. */
 const ENERGIES = /** @type {const} */ ({
@@ -46,7 +46,7 @@ export function head(about, body, clock, playing) {
   const states = [];
   if (clock.exploded) states.push(say("live-stopped"));
   else if (!playing) states.push(say("live-paused"));
-  else if (clock.rate < SLOW) states.push(say("live-slowed", { rate: clock.rate.toFixed(2) }));
+  else if (clock.rate < SLOW) states.push(say("live-slowed", { rate: decimal(clock.rate.toFixed(2)) }));
   const broken = body.broken.reduce((sum, one) => sum + one, 0);
   if (broken) states.push(say("live-broken", { count: broken }));
   const yielded = body.setLength.reduce((sum, moved, s) => sum + Number(Math.abs(moved) > YIELDED * body.restLength[s] && !body.broken[s]), 0);
@@ -74,10 +74,10 @@ export function numbers(about, body, clock) {
     const angle = body.angleOf(about.joint);
     const radians = (angle * Math.PI) / 180;
     all.push(table(say("live-joint", { joint: String(about.joint) }), [
-      [say("live-joint.angle"), `${angle.toFixed(2)}°`],
-      [say("live-joint.rest"), `${body.restAngleOf(about.joint).toFixed(2)}°`],
-      [say("live-joint.sine"), Math.sin(radians).toFixed(4)],
-      [say("live-joint.cosine"), Math.cos(radians).toFixed(4)],
+      [say("live-joint.angle"), decimal(`${angle.toFixed(2)}°`)],
+      [say("live-joint.rest"), decimal(`${body.restAngleOf(about.joint).toFixed(2)}°`)],
+      [say("live-joint.sine"), decimal(Math.sin(radians).toFixed(4))],
+      [say("live-joint.cosine"), decimal(Math.cos(radians).toFixed(4))],
     ]));
   }
   const parts = Object.entries(energies(body)).map(([name, value]) => {
