@@ -83,8 +83,8 @@ def shown(all_places: Places, name: str, size: dict[str, int] | None = None) -> 
 
 
 def measured(page: Page, *questions: tuple[Any, ...]) -> list[str]:
-    """What is wrong with a page, by these questions to `visible.js`; asked twice if something is, since it may
-    still be about to take its place in another window."""
+    """What is wrong with a page, by these questions to `visible.js`; asked twice if something is, since it
+    may still be about to take its place in another window."""
     first = _asked(page, questions)
     if not first:
         return []
