@@ -277,8 +277,8 @@ def test_on_paper_there_are_also_the_plots_and_the_step_of_a_lesson(open_page: O
     desk.page.emulate_media(media="print")
     below = desk.page.locator(".softrod-paper-below")
     desk.until(lambda: title in below.inner_text(), "the step is on paper")
-    assert "spring0.elongation" in below.inner_text()
-    assert "How much lower does it come to rest, if gravity is doubled?" in below.inner_text()
+    assert "stretch of spring 0" in below.inner_text()
+    assert "How far below its start does the mass come to rest, if gravity is doubled?" in below.inner_text()
     assert below.locator("figure svg path").count() > 1
     assert desk.page.locator(".softrod-panel").evaluate("e => getComputedStyle(e).visibility") == "hidden"
     box, canvas = box_of(below), box_of(desk.page.locator("canvas").first)

@@ -115,7 +115,8 @@ def measured(page: Page, *questions: tuple[Any, ...]) -> list[str]:
     if not first:
         return []
     page.wait_for_timeout(500)
-    return [one for one in first if one in _asked(page, questions)]
+    again = _asked(page, questions)
+    return [one for one in first if one in again]
 
 
 def _asked(page: Page, questions: tuple[tuple[Any, ...], ...]) -> list[str]:
@@ -272,7 +273,8 @@ def stands_out(picture: NDArray[np.float64], box: tuple[int, int, int, int]) -> 
 def dim_graphics(page: Page) -> list[str]:
     """The controls and marks that do not stand out; twice, as a line may come or go while one looks."""
     first = _dim_now(page)
-    return [one for one in first if one in _dim_now(page)] if first else []
+    again = _dim_now(page) if first else []
+    return [one for one in first if one in again]
 
 
 def _dim_now(page: Page) -> list[str]:
