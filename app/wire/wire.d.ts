@@ -274,7 +274,7 @@ export type PutBack = { tell: "putBack" };
 /** Forces, velocities and torques; empty while no arrows are shown. */
 export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
-export type Lesson = { tell: "lesson"; steps: LessonStep[] };
+export type Lesson = { tell: "lesson"; name: string; steps: LessonStep[] };
 /** The lesson that is being edited. */
 export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[]; runs: string[] };
 /** What the user can choose for a step at present. */

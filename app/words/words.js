@@ -31,6 +31,9 @@ export const POINT = (new Intl.NumberFormat(words.language).formatToParts(1.5).f
 /** A number that is written with a point as the page's language writes it. @param {string} text */
 export const decimal = (text) => text.replace(".", POINT);
 
+/** A number with its unit, which keeps its direction in a text from right to left. @param {string} text */
+export const upright = (text) => (direction === "rtl" ? `\u2066${text}\u2069` : text);
+
 /** A text as it is searched: in lower case, without accents, of the same length. @param {string} text */
 export const folded = (text) =>
   [...text.toLocaleLowerCase(words.language)].map((letter) => letter.normalize("NFD")[0].replace("\u2019", "'").padEnd(letter.length)).join("");

@@ -16,7 +16,7 @@ from app.cli.main import Check
 from app.features.lesson.messages import BeginStep, LessonStep
 from app.features.lesson.messages import Lesson as LessonState
 from app.features.lesson.panel import LessonPanel
-from app.lessons import check_lesson, goal_text, quantity_text, read_masses, run_text
+from app.lessons import check_lesson, goal_text, lesson_code, quantity_text, read_masses, run_text
 from app.session import commands
 from app.session.log import decode_log
 from app.session.notices import Notice
@@ -199,8 +199,9 @@ def test_the_page_is_told_what_it_shows_of_a_lesson() -> None:
     panel = lesson_panel(page, [], letters)
     panel.build()
     panel.build()
+    name = f"{page.session.scene.name}.{lesson_code(page.session.scene)}"
     # The settings are the server's.
-    assert letters.sent == [LessonState(steps=(LessonStep("A", "B", "", QUESTION, run=False),))]
+    assert letters.sent == [LessonState(name=name, steps=(LessonStep("A", "B", "", QUESTION, run=False),))]
 
 
 def test_a_step_has_its_sliders_plots_and_ghost_and_the_next_one_its_own() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from playwright.sync_api import expect
+
 import sim
 from app.session import commands
 from tests.browser.conftest import OpenPage
@@ -35,6 +37,32 @@ def test_another_language_keeps_the_body_and_what_can_be_undone(open_page: OpenP
     assert desk.tab.language == "de"
     desk.page.keyboard.press("Control+z")
     desk.until(lambda: desk.session.scene.gravity[1] != 321.0, "what was done before is undone")
+
+
+def test_another_language_keeps_the_step_of_a_lesson(open_page: OpenPage) -> None:
+    desk = open_page("lesson-hooke")
+    desk.changed = True
+    count = desk.page.locator(".softrod-lesson-count")
+    for name in ("100 px", "Check my answer", "Next step"):
+        desk.page.get_by_role("button", name=name).click()
+    expect(count).to_contain_text("2 of 4")
+    opened(desk)
+    desk.page.locator("dialog.softrod-access select").first.select_option("de")
+    expect(count).to_contain_text("2 von 4")
+    desk.page.get_by_role("button", name="Zurück", exact=True).click()
+    expect(desk.page.get_by_text("Das ist richtig.")).to_be_visible()
+
+
+def test_arrows_choose_a_tab_that_was_reached_by_the_tab_key(open_page: OpenPage) -> None:
+    desk = open_page()
+    tabs = desk.page.get_by_role("tab")
+    for _ in range(60):
+        desk.page.keyboard.press("Tab")
+        if desk.page.evaluate("document.activeElement.matches('[role=tab]')"):
+            break
+    desk.page.keyboard.press("ArrowRight")
+    expect(tabs.nth(1)).to_have_attribute("aria-selected", "true")
+    expect(tabs.nth(1)).to_be_focused()
 
 
 def test_a_language_from_right_to_left_has_the_panel_at_the_left_and_time_and_numbers_as_ever(

@@ -35,6 +35,12 @@ class LessonStep(Struct, frozen=True):
 
 
 class Lesson(State, frozen=True, kw_only=True):
-    """The scene's lesson, which may be anyone's: the script shows it as text only."""
+    """The scene's lesson, which may be anyone's: the script shows it as text only.
 
+    Attributes:
+        name: by which the page knows the lesson again, in any language.
+        steps: in the language of the page.
+    """
+
+    name: str
     steps: tuple[LessonStep, ...]

@@ -12,6 +12,7 @@ from sim.errors import SettingError
 from sim.scene.lesson import Lesson, Step
 from sim.settings import scene_of_run, scene_of_step
 
+from ...lessons import lesson_code
 from ...session import commands
 from ...session.notices import Notice
 from ...session.plots import parse_plot
@@ -60,7 +61,8 @@ class LessonPanel:
 
     def build(self) -> None:
         """Show the scene's lesson, and the plots of its present step."""
-        lesson = self._session.scene.lesson
+        scene = self._session.scene
+        lesson = scene.lesson
         if lesson is not self._lesson:
             self._lesson, self._step = lesson, 0
             self._text.content = PLACE if lesson else ""
@@ -69,7 +71,7 @@ class LessonPanel:
                 LessonStep(step.title, step.do, step.watch, step.question, bool(step.run))
                 for step in map(step_of, lesson.steps)
             )
-            self._page.mail.send(LessonState(steps=tuple(steps)))
+            self._page.mail.send(LessonState(name=f"{scene.name}.{lesson_code(scene)}", steps=tuple(steps)))
         specs = tuple(map(parse_plot, (self.step.plots or ()) if self.step else ()))
         if specs != self.plots.specs:
             self.plots.remember(specs)

@@ -46,7 +46,7 @@ live-note-runs = لا تُسلَّم أي محاولة
 
 live-stopped = متوقف
 live-paused = متوقف مؤقتًا
-live-slowed = حركة مبطأة: ⁦{ $rate } ×⁩ الزمن الحقيقي
+live-slowed = حركة مبطأة: { $rate } من السرعة الحقيقية
 live-broken = { $count ->
     [zero] لا نوابض مقطوعة
     [one] نابض واحد مقطوع

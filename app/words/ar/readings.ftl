@@ -11,9 +11,9 @@ reading-momentum-y = كمية الحركة في اتجاه ⁦y⁩
 reading-distance = مسافة
 reading-time-step = الخطوة الزمنية كجزء من حدّها
 reading-of = { $owner ->
-    [mass] { $what } الكتلة { $number }
-    [spring] { $what } النابض { $number }
-    [joint] { $what } المفصل { $number }
+    [mass] { $what } للكتلة { $number }
+    [spring] { $what } للنابض { $number }
+    [joint] { $what } للمفصل { $number }
    *[body] { $what } الجسم
   }
 reading-period = الزمن الدوري في { $what }

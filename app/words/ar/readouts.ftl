@@ -2,7 +2,7 @@ hud-stopped = متوقف
 hud-past = نظرة إلى الماضي
 hud-paused = متوقف مؤقتًا
 hud-rest = ساكن
-hud-slow = حركة مبطأة: ⁦{ $factor } ×⁩ الزمن الحقيقي
+hud-slow = حركة مبطأة: { $factor } من السرعة الحقيقية
 hud-behind = لا يستطيع الجسم اللحاق بهذه السرعة: اليد متأخرة بمقدار { $distance }
 hud-broken = { $count ->
     [zero] لا نوابض مقطوعة

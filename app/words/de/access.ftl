@@ -1,6 +1,6 @@
 access-title = Zugang und Sprache
 access-language = Sprache
-    .hint = Die der Seite; Texte von Szenen und Aufgaben bleiben in ihrer. Der Körper bleibt, und alles lässt sich weiter rückgängig machen.
+    .hint = Die der Seite; eigene Szenen bleiben in ihrer. Der Körper bleibt, und alles lässt sich weiter rückgängig machen.
 access-letters = Buchstaben als Tasten
     .hint = Für alle, die Texte sprechen oder aus Versehen Tasten drücken. Tasten mit Strg, Pfeile und Esc gelten immer.
     .always = immer

@@ -2,7 +2,7 @@
 
 access-title = Access and language
 access-language = Language
-    .hint = Of the page; texts of scenes and lessons stay in theirs. The body and what can be undone are kept.
+    .hint = Of the page; scenes of your own stay in theirs. The body and what can be undone are kept.
 access-letters = Letters as keys
     .hint = For those who speak their texts, or press keys by mistake. Keys with Ctrl, arrows and Esc always work.
     .always = always

@@ -1,6 +1,6 @@
 access-title = Acceso e idioma
 access-language = Idioma
-    .hint = El de la página; los textos de las escenas y las lecciones se quedan en el suyo. Se conserva el cuerpo y lo que se puede deshacer.
+    .hint = El de la página; tus propias escenas se quedan en el suyo. Se conserva el cuerpo y lo que se puede deshacer.
 access-letters = Letras como teclas
     .hint = Para quienes dictan sus textos o pulsan teclas sin querer. Las teclas con Ctrl, las flechas y Esc funcionan siempre.
     .always = siempre

@@ -1,6 +1,6 @@
 access-title = Accès et langue
 access-language = Langue
-    .hint = Celle de la page ; les textes des scènes et des leçons restent dans la leur. L’objet est gardé, et l’on peut toujours annuler.
+    .hint = Celle de la page ; tes propres scènes restent dans la leur. L’objet est gardé, et l’on peut toujours annuler.
 access-letters = Lettres comme touches
     .hint = Pour qui dicte ses textes ou appuie sur des touches par erreur. Les touches avec Ctrl, les flèches et Échap agissent toujours.
     .always = toujours

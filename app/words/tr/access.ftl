@@ -1,6 +1,6 @@
 access-title = Erişilebilirlik ve dil
 access-language = Dil
-    .hint = Sayfanın dili; sahnelerin ve derslerin metinleri kendi dillerinde kalır. Cisim ve geri alınabilenler korunur.
+    .hint = Sayfanın dili; kendi sahnelerin kendi dillerinde kalır. Cisim ve geri alınabilenler korunur.
 access-letters = Tuş olarak harfler
     .hint = Metinlerini sesle yazdıranlar veya tuşlara yanlışlıkla basanlar için. Ctrl ile kullanılan tuşlar, oklar ve Esc her zaman çalışır.
     .always = her zaman

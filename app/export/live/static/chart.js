@@ -15,7 +15,7 @@
 import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
 import { numbersOf, sentenceOf } from "../../../ui/plot_words.js";
-import { say } from "../../../words/words.js";
+import { say, upright } from "../../../words/words.js";
 import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
@@ -141,9 +141,9 @@ export function makeChart(plot) {
     const told = names.map((_, i) => {
       const values = curves[i], swing = found[i];
       if (!values.length) return "";
-      const reading = `${words[i]} ${said(values[at >= 0 ? at : values.length - 1])} ${units[i]}`.trim();
+      const reading = `${words[i]}: ${upright(`${said(values[at >= 0 ? at : values.length - 1])} ${units[i]}`.trim())}`;
       if (at >= 0 || !swing) return reading;
-      return say("live-swing", { reading, period: said(swing.period), amplitude: `${said(swing.amplitude)} ${units[i]}`.trim() });
+      return say("live-swing", { reading, period: said(swing.period), amplitude: upright(`${said(swing.amplitude)} ${units[i]}`.trim()) });
     });
     /** @param {"period" | "amplitude"} what */
     const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
@@ -151,7 +151,7 @@ export function makeChart(plot) {
     if (at >= 0) reading.textContent = say("live-at", { time: said(times[at]), readings });
     else if (names.length <= 2) reading.textContent = readings;
     else if (!found.every(Boolean)) reading.textContent = "";
-    else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: `${of("amplitude")} ${units[0]}`.trim() });
+    else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: upright(`${of("amplitude")} ${units[0]}`.trim()) });
     /** @param {string} name @param {string} unit */
     const labelled = (name, unit) => name + (unit && `, ${unit}`);
     shown = {
