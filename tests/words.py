@@ -145,6 +145,16 @@ def sim_templates() -> dict[str, str]:
     return found
 
 
+@cache
+def _file_of(key: str) -> str:
+    """The file of an English text."""
+    name = key.partition(".")[0]
+    for path in sorted((FOLDER / ENGLISH).glob("*.ftl")):
+        if re.search(rf"^{re.escape(name)} =", path.read_text(encoding="utf-8"), re.MULTILINE):
+            return path.name
+    return next((f"{SCENES}/{file}" for file, each in of_scenes().items() if key in each), SIM)
+
+
 def main(arguments: list[str]) -> int:
     """Print what is missing and what is wrong; 1 if anything is wrong."""
     tags, status = [each for each in arguments if each != "--write"], 0
@@ -154,14 +164,17 @@ def main(arguments: list[str]) -> int:
             return 2
         if "--write" in arguments:
             write(tag)
-        lacking, faults = missing(tag), list(wrong(tag))
+        try:
+            lacking, faults = missing(tag), list(wrong(tag))
+        except ValueError as error:
+            print(error, file=sys.stderr)
+            return 2
         name, count = languages()[tag].name, len(texts(tag)) + len(catalogue(tag))
         print(f"{name} ({tag}): {count} texts, {len(lacking)} missing, {len(faults)} wrong")
         for sentence in faults:
             print(f"  {sentence}")
         for key in lacking if tags else ():
-            english = f" = {plain(texts(ENGLISH)[key])}" if key in texts(ENGLISH) else ""
-            print(f"  missing: {key}{english}"[:120])
+            print(f"  missing in {_file_of(key)}: {' '.join(key.split())}"[:120])
         status = status or bool(faults)
     return int(status)
 

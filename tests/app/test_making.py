@@ -376,10 +376,12 @@ def test_a_form_in_another_language_leaves_what_nobody_changed_as_it_was_written
         before, shown = form.steps, form.letters.last(LessonForm).steps
         assert shown == tuple(map(step_of, before)) != before
         question = shown[0].question
+        assert question is not None
         form.say(
             change(0, do=shown[0].do, title="Mein Titel"),
             change(0, question=asked(question.text, question.choices, question.answer, "Darum.")),
         )
-    step = form.steps[0]
+    step, asked_before = form.steps[0], before[0].question
+    assert asked_before is not None
     assert (step.title, step.do) == ("Mein Titel", before[0].do)
-    assert step.question == msgspec.structs.replace(before[0].question, because="Darum.")
+    assert step.question == msgspec.structs.replace(asked_before, because="Darum.")

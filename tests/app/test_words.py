@@ -153,11 +153,13 @@ def test_numbers_are_written_as_the_language_does() -> None:
 
 
 def test_all_texts_of_a_lesson_are_said_in_the_language_that_is_spoken() -> None:
-    lesson, german = sim.load_scene("lesson-hooke"), catalogue("de")
-    step = lesson.lesson.steps[0]
+    scene, german = sim.load_scene("lesson-hooke"), catalogue("de")
+    assert scene.lesson is not None
+    step = scene.lesson.steps[0]
     with speaking("de"):
         said = step_of(step)
-        assert (name_of(lesson), of("my own words")) == (german[lesson.title], "my own words")
+        assert (name_of(scene), of("my own words")) == (german[scene.title], "my own words")
+    assert said.question is not None and step.question is not None
     assert (said.title, said.do) == (german[step.title], german[step.do])
     assert said.question.choices == tuple(german[choice] for choice in step.question.choices)
     assert said.question.because == german[step.question.because] != step.question.because
