@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 import sim
+from app.lessons import quantity_text
 from app.session import commands
 from app.session.notices import Notice
+from app.session.plots import PlotSpec, parse_plot
 from sim.scene.lesson import Step
 from sim.settings import CHOICES, setting_of
 from sim.store.files import built_in_folder
@@ -67,6 +69,12 @@ def test_each_lesson_is_followed_to_its_end(open_page: OpenPage) -> None:
         follow(desk, name)
 
 
+def title_of(spec: PlotSpec) -> str:
+    """What stands over a plot of a lesson."""
+    over = f" over {quantity_text(spec.over)}" if spec.over else ""
+    return " ".join(map(quantity_text, spec.names)) + over
+
+
 def follow(desk: Desk, name: str) -> None:
     """Open a lesson, and go through its steps until it starts over."""
     desk.tell(commands.Open(sim.load_scene(name)))
@@ -87,7 +95,7 @@ def follow(desk: Desk, name: str) -> None:
             assert step.watch in words(desk)
         labels = [label_of(desk, key) for key in step.controls]
         desk.until(lambda labels=labels: sliders(desk) == labels, f"its sliders are {labels}")
-        titles = [text.replace(", ", " ") for text in step.plots or ()]
+        titles = [title_of(parse_plot(text)) for text in step.plots or ()]
         desk.until(lambda titles=titles: plots(desk) == titles, f"its plots are {titles}")
         desk.until(lambda: desk.simulation.time > 0.1 or desk.session.offer_back, "it moves, or has exploded")
         press(desk, "Next step" if i + 1 < len(steps(name)) else "Back to step 1")
