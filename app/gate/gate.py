@@ -361,7 +361,7 @@ class Gate:
                 return self._refusal_of_page(hosts[0], own, connection, request, "X-Softrod-Origin")
             path, _, query = request.path.partition("?")
             # viser's page would connect to any server that a query names, and run its scripts.
-            if query and (path not in (*PAGE_PATHS, CHECK) or page_query(query) is None):
+            if query and (path not in (*PAGE_PATHS, CHECK, VIDEO) or page_query(query) is None):
                 return "path", HTTPStatus.TEMPORARY_REDIRECT, "This page takes no such parameters."
             if path not in PAGE_PATHS and path not in self._files:
                 return "path", HTTPStatus.NOT_FOUND, "There is no such page."

@@ -114,7 +114,9 @@ def decimal(text: str) -> str:
 
 def listed(items: Sequence[str]) -> str:
     """Some texts as a list, as in "a, b and c"."""
-    return format_list(list(items), locale="en_GB" if _locale(_now.get()) == ENGLISH else _now.get())
+    tag = _now.get()
+    text = format_list(list(items), locale="en_GB" if _locale(tag) == ENGLISH else tag)
+    return text.replace(" and ", f" {pseudo('and')} ") if tag == PSEUDO else text
 
 
 def _locale(tag: str) -> str:

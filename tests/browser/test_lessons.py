@@ -42,9 +42,10 @@ def label_of(desk: Desk, key: str) -> str:
 
 
 def sliders(desk: Desk) -> list[str]:
-    """The labels of the sliders and lists in the tab that is shown."""
+    """The labels of the sliders and lists in the tab that is shown, but for those of its plots."""
     labels = desk.page.locator("label:visible:not(.softrod-muscles *)")
-    return [text for text in labels.all_inner_texts() if text]
+    of_plots = ("", "Hear while it moves", "Analysis")
+    return [text for text in labels.all_inner_texts() if text not in of_plots]
 
 
 def plots(desk: Desk) -> list[str]:

@@ -288,12 +288,12 @@
   };
 
   // Words in plain letters on a page in pseudo-English, whose own words have accents: what no message says. Names,
-  // codes and what is in a language of its own are marked as such.
+  // addresses, codes and what is in a language of its own are marked as such.
   const plain = () => {
     const found = new Map();
     const look = (element, text) => {
       if (element.closest("[translate=no], code, script, style, noscript, [lang]:not(html)") || !isShown(element)) return;
-      const words = (text ?? "").replace(/https?:\S+/g, "").match(/\p{L}+/gu) ?? [];
+      const words = (text ?? "").replace(/https?:\S+|\b[a-z]+\d*\.[a-z_]+|\b[a-z]+\d+\b/g, "").match(/\p{L}+/gu) ?? [];
       if (words.some((word) => /^[A-Za-z]{3,}$/.test(word) && /[aceinouydgklrstz]/.test(word))) found.set(tidy(text), element);
     };
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);

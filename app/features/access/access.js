@@ -2,22 +2,21 @@
 /** The page Access of the View menu: a dialog of settings that this device keeps. */
 import { access, apply, isStill, onCalm, setAccess } from "../../ui/access.js";
 import { make, makeDialog } from "../../ui/dialog.js";
+import { storeCookie } from "../../ui/kept/storage.js";
 import { isProjector, toggleProjector } from "../../ui/looks.js";
 import { send } from "../../wire/channel.js";
 import { language, languages, say } from "../../words/words.js";
 
 const LANGUAGE = "softrod-lang";
-/** Seconds for which a cookie is kept. */
-const YEAR = 365 * 24 * 3600;
 
 /** Speaks another language from now on: the page is loaded anew, and gets its body back. @param {string} tag */
 function speak(tag) {
   if (tag === language) return;
-  document.cookie = `${LANGUAGE}=${tag}; path=/; max-age=${YEAR}; samesite=lax`;
+  const isKept = storeCookie(LANGUAGE, tag);
   const address = new URL(location.href);
   address.searchParams.delete("lang");
   // A browser that keeps no cookies is asked in the address.
-  if (!document.cookie.includes(`${LANGUAGE}=${tag}`)) address.searchParams.set("lang", tag);
+  if (!isKept) address.searchParams.set("lang", tag);
   if (address.href === location.href) location.reload();
   else location.replace(address);
 }
@@ -89,7 +88,7 @@ function show() {
 }
 
 /** The server reads it before it shows a page's first body, which then stands. */
-const keepStill = () => (document.cookie = `softrod-still=${Number(isStill())}; path=/; max-age=${YEAR}; samesite=lax`);
+const keepStill = () => storeCookie("softrod-still", String(Number(isStill())));
 
 // Before the page connects.
 keepStill();

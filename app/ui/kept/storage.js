@@ -46,3 +46,16 @@ export const store = ofTab.store;
 /** Of the browser. */
 export const remembered = ofBrowser.kept;
 export const remember = ofBrowser.store;
+
+/** Seconds for which a cookie is kept. */
+const YEAR = 365 * 24 * 3600;
+
+/** Stores what the server reads before it answers; whether the browser does. @param {string} name @param {string} value */
+export function storeCookie(name, value) {
+  try {
+    document.cookie = `${name}=${value}; path=/; max-age=${YEAR}; samesite=lax`;
+    return document.cookie.includes(`${name}=${value}`);
+  } catch {
+    return false;
+  }
+}
