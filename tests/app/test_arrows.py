@@ -242,6 +242,6 @@ def test_another_scene_begins_without_plots_arrows_and_instruments_and_a_lesson_
     page.shown(commands.Open(lesson))
     page.shown(BeginStep(0))
     assert shown() == (0, False, 0.0, 2)
-    assert "body.y" in page.gui.text("Lesson")
+    assert "y of the body" in page.gui.text("Lesson")
     page.shown(commands.Open(ring))
     assert shown() == (0, False, 0.0, 3), "nor does what stood beside the lesson before come back"

@@ -57,7 +57,7 @@ def test_german_labels(worm: sim.Scene) -> None:
     assert in_german("2 masses pinned", worm) == "2 Massen festgehalten"
     assert in_german("Joint stiffness scaled: 1 joint", worm) == "Steifigkeit des Gelenks skaliert: 1 Gelenk"
     assert in_german("“Go 5” moved to step 2", worm) == "„Go 5“ wird Schritt 2"
-    assert in_german("Gravity", worm) == "Schwerkraft"
+    assert in_german("Gravity", worm) == "Fallbeschleunigung"
     assert in_german("what nobody knows", worm) == "what nobody knows"
 
 

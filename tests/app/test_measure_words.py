@@ -120,7 +120,7 @@ def test_steps_of_undo_and_the_meaning_of_errors_are_said_in_the_page_s_language
     with speaking("de"):
         page = WholePage("rope")
         page.frames(1, commands.SetValue("gravity", 100.0))
-        assert page.session.versions.undoable == "Schwerkraft"
+        assert page.session.versions.undoable == "Fallbeschleunigung"
         assert verdict(page.session.scene, 1.0).startswith("Fehler wachsen nicht: ")
         assert verdict(page.session.scene, 1e3).endswith(" s ist.")
     for factor in (1.0, 3.0, 1e3):

@@ -66,6 +66,6 @@ def test_a_page_has_its_sliders_and_lists_in_its_language() -> None:
         page = WholePage("rope")
         page.frames(2)
     labels = {one.label for one in page.gui.there}
-    assert {"Schwerkraft", "Luftreibung"} <= labels and "Gravity" not in labels
+    assert {"Fallbeschleunigung", "Luftreibung"} <= labels and "Gravity" not in labels
     (gravity,) = (one for one in page.gui.there if one.label == "Dehnsteifigkeit")
     assert gravity.hint.startswith("Steifigkeit der Federn; 0 bis ")
