@@ -40,7 +40,9 @@ class WholePage:
         first = sim.load_scene(scene) if isinstance(scene, str) else scene
         client: Any = self.client
         self.tab = Tab(client, first, Compiler(), query, owned=True)
-        with mock.patch.object(tab, "Session", lambda scene, wait: Session(scene, clock=self.wall)):
+        with mock.patch.object(
+            tab, "Session", lambda scene, wait, stands: Session(scene, clock=self.wall, stands=stands)
+        ):
             self._frame()
 
     def _frame(self) -> None:

@@ -10,7 +10,6 @@ import secrets
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
-from functools import partial
 from typing import Any
 
 import viser
@@ -90,7 +89,7 @@ class Tab:
         stands: bool = False,
     ) -> None:
         self.client, self.language = client, language()
-        self._make_session = partial(Session, wait=False, stands=stands)
+        self._stands = stands
         self._for_others, self._begin_class, self._is_taught = for_others, begin_class, is_taught
         self._mail = Mail(by_viser(client))
         self._notices = NoticeBoard(client)
@@ -269,9 +268,9 @@ class Tab:
             made = done.result()
         elif session is None:
             if is_large(self._first):
-                self._under_way = beside(self._make_session, self._first)
+                self._under_way = beside(Session, self._first, wait=False, stands=self._stands)
                 return True
-            made = self._make_session(self._first)
+            made = Session(self._first, wait=False, stands=self._stands)
         else:
             made = session
             self._serve_requests(session)
