@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -107,6 +107,19 @@ class School:
             lambda: (self.classroom.room.phase, self.classroom.room.round) == (phase, round),
             f"to {phase}",
         )
+
+    def led(self) -> Callable[[Phase], None]:
+        """A teacher without a page; returns what takes the class to a phase."""
+        with FRAME_LOCK:
+            teacher = Teacher(self.classroom, Session(a_lesson()))
+
+        def go(phase: Phase) -> None:
+            with FRAME_LOCK:
+                self.classroom.room.go(0, phase)
+                teacher.frame()
+                teacher.frame()
+
+        return go
 
     def stands_out(self, name: str) -> None:
         """Look whether the class's texts do."""
@@ -342,16 +355,7 @@ def test_the_desk_s_head_has_room_and_words_do_nothing_where_letters_are_no_keys
 
 
 def test_on_a_phone_a_pupil_comes_in_by_letters_and_answers_by_touch(school: School) -> None:
-    room = school.classroom.room
-    with FRAME_LOCK:
-        teacher = Teacher(school.classroom, Session(a_lesson()))
-
-    def go(phase: Phase) -> None:
-        with FRAME_LOCK:
-            room.go(0, phase)
-            teacher.frame()
-            teacher.frame()
-
+    room, go = school.classroom.room, school.led()
     phone = school.open(f"{school.base}?room=QQQQ", PHONE, touch=True)
     expect(phone.locator(".softrod-warning")).to_contain_text("no class QQQQ")
     phone.get_by_label("The four letters").fill(room.code.lower())
@@ -555,16 +559,7 @@ def test_the_pages_of_a_class_say_all_by_messages_and_have_room(school: School) 
 
 def test_a_prediction_is_made_by_taps_alone(school: School) -> None:
     """Without being asked for; what a pupil's body does by taps is, on the pupil's page."""
-    room = school.classroom.room
-    with FRAME_LOCK:
-        teacher = Teacher(school.classroom, Session(a_lesson()))
-
-    def go(phase: Phase) -> None:
-        with FRAME_LOCK:
-            room.go(0, phase)
-            teacher.frame()
-            teacher.frame()
-
+    room, go = school.classroom.room, school.led()
     phone = school.open(seat_address(school.base, room.code), PHONE, touch=True)
     expect(phone.locator(".softrod-task")).to_have_text("You are in. It begins soon.")
     phone.get_by_role("button", name="Tap instead of drag").tap()
