@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,19 +12,18 @@ from playwright.sync_api import Browser, BrowserContext, Page, ViewportSize
 
 import sim
 from app.classroom.answers import Phase
-from app.classroom.live import Class, Classes
+from app.classroom.live import Class
 from app.export.live.live import live_html
 from app.export.replay import replay_html
 from app.features.classroom.roles import desk_address, seat_address, wall_address
-from app.server.serve import serving
 from app.session.session import Session
 from app.site import pages
 from app.site.entries import shown
 from app.site.folder import Folder
-from sim.compiling.compiler import ENTRY_POINTS
 from tests.app.classrooms import Teacher
 from tests.app.test_html_files import Clip, swing
 from tests.browser.between_frames import FRAME_LOCK
+from tests.browser.classrooms import serving_class
 from tests.browser.driver import LIMIT, rough_context
 from tests.browser.scripts import HARDWARE
 
@@ -216,17 +215,9 @@ def make_files(folder: Path) -> None:
 def places(browser: Browser, folder: Path, lesson: sim.Scene) -> Iterator[Places]:
     """Serve a class with a lesson, and make the files."""
     make_files(folder)
-    classes = Classes()
-    classroom = classes.begin((lesson,))
-    with ExitStack() as stack:
-        server, _, compiler = stack.enter_context(
-            serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
-        )
-        compiler.want(ENTRY_POINTS)
-        compiler.start()
-        compiler.wait()
+    with serving_class(lesson, folder / "classes") as (port, classroom):
         with FRAME_LOCK:
             teacher = Teacher(classroom, Session(lesson))
-        made = Places(browser, server.get_port(), folder, classroom, teacher)
+        made = Places(browser, port, folder, classroom, teacher)
         yield made
         made.close()

@@ -15,16 +15,13 @@ import pytest
 from playwright.sync_api import Browser
 
 import sim
-from app.classroom import kept
-from app.classroom.live import Class, Classes
 from app.export.live.live import live_html
 from app.features.classroom.roles import desk_address, seat_address
-from app.server.serve import serving
 from sim.analysis.modes import Modes
-from sim.compiling.compiler import ENTRY_POINTS
 from sim.scene.lesson import Step
 from sim.store.files import built_in_folder
 from tests.amount import NIGHT, at_night, part_of
+from tests.browser.classrooms import serving_class
 from tests.browser.conftest import OpenPage, Visits
 from tests.browser.driver import rough_context
 from tests.browser.ear import Ear, Node
@@ -197,19 +194,11 @@ def test_a_lesson_in_a_live_file_is_done_by_ear(visit: Visits, tmp_path: Path, n
 
 # ------------------------------------------------------------------------- a class
 @pytest.fixture
-def room(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[Ear, Ear]]:
+def room(browser: Browser, tmp_path: Path) -> Iterator[tuple[Ear, Ear]]:
     """A class of the first lesson: its teacher's page, and a pupil's."""
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
-    classes = Classes()
-    classroom: Class = classes.begin((sim.load_scene("lesson-hooke"),))
     with ExitStack() as stack:
-        server, _, compiler = stack.enter_context(
-            serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
-        )
-        compiler.want(ENTRY_POINTS)
-        compiler.start()
-        compiler.wait()
-        base = f"http://127.0.0.1:{server.get_port()}/"
+        port, classroom = stack.enter_context(serving_class(sim.load_scene("lesson-hooke"), tmp_path))
+        base = f"http://127.0.0.1:{port}/"
         ears: list[Ear] = []
         for address in (desk_address(base, classroom), seat_address(base, classroom.room.code)):
             context = stack.enter_context(

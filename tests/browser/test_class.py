@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 import zipfile
 from collections.abc import Callable, Iterator
-from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,18 +18,17 @@ from playwright.sync_api import Browser, Page, expect
 import sim
 from app.classroom import kept
 from app.classroom.answers import Line, Phase, Prediction, Vote, Work
-from app.classroom.live import Class, Classes
+from app.classroom.live import Class
 from app.export.live.live import live_html
 from app.features.classroom.roles import desk_address, seat_address, wall_address
-from app.server.serve import serving
 from app.session.session import Session
 from app.words import PSEUDO
-from sim.compiling.compiler import ENTRY_POINTS
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from tests.amount import part_of
 from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
+from tests.browser.classrooms import serving_class
 from tests.browser.driver import LIMIT, rough_context, until
 from tests.browser.layout import TOUCHED
 from tests.browser.test_pseudo import faults
@@ -131,18 +129,9 @@ class School:
 
 
 @pytest.fixture
-def school(browser: Browser, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[School]:
-    monkeypatch.setattr(kept, "classes_folder", lambda: tmp_path)
-    classes = Classes()
-    classroom = classes.begin((a_lesson(),))
-    with ExitStack() as stack:
-        server, _, compiler = stack.enter_context(
-            serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
-        )
-        compiler.want(ENTRY_POINTS)
-        compiler.start()
-        compiler.wait()
-        made = School(browser, server.get_port(), classroom)
+def school(browser: Browser, tmp_path: Path) -> Iterator[School]:
+    with serving_class(a_lesson(), tmp_path) as (port, classroom):
+        made = School(browser, port, classroom)
         yield made
         for page in made.pages:
             page.context.close()

@@ -18,18 +18,16 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 import sim
-from app.classroom import kept
 from app.classroom.answers import Phase
-from app.classroom.live import Class, Classes
+from app.classroom.live import Class
 from app.export.live.live import live_html
 from app.features.classroom.roles import seat_address, wall_address
-from app.server.serve import serving
 from app.session import commands
 from app.session.session import Session
-from sim.compiling.compiler import ENTRY_POINTS
 from tests.app.classrooms import Teacher
 from tests.app.inside import sandboxes
 from tests.browser.between_frames import FRAME_LOCK
+from tests.browser.classrooms import serving_class
 from tests.browser.conftest import DESKTOP, FLAGS, OpenPage, Serve, Visits, browser_path
 from tests.browser.driver import Desk, Served, rough_context, until
 from tests.browser.sites import served as plain_server
@@ -138,21 +136,10 @@ BASE = "http://127.0.0.1:PORT/"
 @pytest.fixture(scope="module")
 def building(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[School]:
     """The school of all tests."""
-    folder = tmp_path_factory.mktemp("classes")
-    with ExitStack() as stack:
-        patch = stack.enter_context(pytest.MonkeyPatch.context())
-        patch.setattr(kept, "classes_folder", lambda: folder)
-        classes = Classes()
-        classroom = classes.begin((a_lesson(),))
-        server, _, compiler = stack.enter_context(
-            serving(sim.load_scene("rope"), "127.0.0.1", 0, classes=classes)
-        )
-        compiler.want(ENTRY_POINTS)
-        compiler.start()
-        compiler.wait()
+    with serving_class(a_lesson(), tmp_path_factory.mktemp("classes")) as (port, classroom):
         with FRAME_LOCK:
             teacher = Teacher(classroom, Session(a_lesson()))
-        yield School(browser, server.get_port(), classroom, teacher)
+        yield School(browser, port, classroom, teacher)
 
 
 @pytest.fixture
