@@ -5,28 +5,25 @@ from __future__ import annotations
 import secrets
 from collections import Counter
 from collections.abc import Callable, Collection
+from functools import cache
+from itertools import product
+from typing import NamedTuple
 
-COLORS = {
-    "Red": "#d1495b",
-    "Orange": "#d9822b",
-    "Golden": "#b58900",
-    "Green": "#3a8a4d",
-    "Teal": "#128a8a",
-    "Blue": "#2f6fb5",
-    "Violet": "#7a56b3",
-    "Pink": "#c2528b",
-    "Brown": "#8a6248",
-    "Grey": "#68737d",
-}
-"""Colours by the word in a name; each has a contrast of at least 3 with white."""
+from ..words import language, say, speaking
 
-ANIMALS = (
-    "Badger", "Bear", "Beaver", "Bison", "Camel", "Crane", "Deer", "Dolphin", "Eagle", "Falcon",
-    "Finch", "Fox", "Gecko", "Hare", "Hedgehog", "Heron", "Horse", "Ibex", "Kiwi", "Koala",
-    "Lark", "Lion", "Lynx", "Magpie", "Marten", "Mole", "Moose", "Newt", "Otter", "Owl",
-    "Panda", "Penguin", "Puffin", "Raven", "Robin", "Salmon", "Seal", "Swan", "Tiger", "Turtle",
-    "Walrus", "Wolf", "Wren", "Yak", "Zebra",
-)  # fmt: skip
+COLORS = (
+    "#d1495b",
+    "#d9822b",
+    "#b58900",
+    "#3a8a4d",
+    "#128a8a",
+    "#2f6fb5",
+    "#7a56b3",
+    "#c2528b",
+    "#8a6248",
+    "#68737d",
+)
+"""The colours of the words in `seat-colors`; each has a contrast of at least 3 with white."""
 
 LETTERS = "ABCDEFGHJKMNPRSTUVWXYZ"
 """Letters of a class's code: none that could be mistaken for a digit or for another letter."""
@@ -34,30 +31,48 @@ LETTERS = "ABCDEFGHJKMNPRSTUVWXYZ"
 _RUDE = frozenset(("ANUS", "ARSE", "BUTT", "CRAP", "CUNT", "DAMN", "FAGS", "FART", "FUCK", "NAZI", "PUSS"))
 _RUDE_STEMS = ("ASS", "CUM", "FAG", "FUK", "KKK", "SEX", "TWA", "WTF")
 
+_NO_MARKS = {ord(mark): None for mark in "\u2068\u2069"}
+"""The marks of Fluent around what stands in a text's places: a name's words have one direction."""
+
 Choose = Callable[[int], int]
 """Picks a number below another one."""
 
 
-def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:
-    """Return a name such as "Blue Heron" that nobody has.
+class Name(NamedTuple):
+    """A name, and the colour in it, as in "#2f6fb5"."""
+
+    text: str
+    color: str
+
+
+def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> Name:
+    """Return a name such as "Blue Heron" that nobody has, in the language that is spoken now.
 
     Its animal is one that nobody has, as long as there is one, and its colour one of those that fewest have.
 
     Args:
-        taken: names that are in use; fewer than there are names.
+        taken: names that are in use, of any kind; fewer than there are names.
     """
-    used = Counter(name.split()[0] for name in taken)
-    animals = set(ANIMALS) - {name.split()[1] for name in taken} or set(ANIMALS)
-    free = [(color, animal) for color in COLORS for animal in ANIMALS if f"{color} {animal}" not in taken]
-    fitting = [name for name in free if name[1] in animals]
-    least = min(used[color] for color, _ in fitting)
-    best = [f"{color} {animal}" for color, animal in fitting if used[color] == least]
-    return best[choose(len(best))]
+    names = _names(language())
+    found = [pair for pair, name in names.items() if name in taken]
+    used_colors, used_animals = Counter(color for color, _ in found), {animal for _, animal in found}
+    free = [pair for pair in names if pair not in found]
+    fitting = [pair for pair in free if pair[1] not in used_animals] or free
+    least = min(used_colors[color] for color, _ in fitting)
+    best = [pair for pair in fitting if used_colors[pair[0]] == least]
+    pair = best[choose(len(best))]
+    return Name(names[pair], COLORS[pair[0]])
 
 
-def color_of(name: str) -> str:
-    """Return the colour in a name, as in "#2f6fb5"."""
-    return COLORS[name.split()[0]]
+@cache
+def _names(tag: str) -> dict[tuple[int, int], str]:
+    """All names in a language, by the numbers of their colours and animals."""
+    with speaking(tag):
+        colors, animals = (enumerate(say(key).splitlines()) for key in ("seat-colors", "seat-animals"))
+        return {
+            (i, j): say("seat-name", color=color, animal=animal).translate(_NO_MARKS)
+            for (i, color), (j, animal) in product(colors, animals)
+        }
 
 
 def new_code(taken: Collection[str], choose: Choose = secrets.randbelow) -> str:

@@ -21,7 +21,7 @@ from msgspec import Struct
 import sim
 from sim.scene.lesson import Step
 
-from ..words import say
+from ..words import ENGLISH, say, speaking
 from ..words.english import name_of, of
 from . import names
 from .answers import (
@@ -148,6 +148,7 @@ class Room(Struct, kw_only=True):
             written without.
         told: whether what is right in homework may be known.
         began: when the class left the lobby for the first time, s since 1970; not before it has.
+        language: the tag of the teacher's, in which the class names its pupils.
         version: counts the changes.
     """
 
@@ -170,6 +171,7 @@ class Room(Struct, kw_only=True):
     until: float | msgspec.UnsetType = msgspec.UNSET
     told: bool | msgspec.UnsetType = msgspec.UNSET
     began: float | msgspec.UnsetType = msgspec.UNSET
+    language: str = ENGLISH
     version: int = 0
 
     # --------------------------------------------------------------------- the plan
@@ -484,8 +486,9 @@ class Room(Struct, kw_only=True):
                 raise Refused(say("class-refuse-full", seats=MAX_SEATS))
             del self.seats[idle]
         number = max(self.seats, default=0) + 1
-        name = names.new_name([seat.given for seat in self.seats.values()])
-        seat = self.seats[number] = Seat(number, digest(secret), name, names.color_of(name), name)
+        with speaking(self.language):
+            name, color = names.new_name([seat.given for seat in self.seats.values()])
+        seat = self.seats[number] = Seat(number, digest(secret), name, color, name)
         self.version += 1
         return seat
 
@@ -498,8 +501,9 @@ class Room(Struct, kw_only=True):
         seat = self._seat(number)
         taken = [other.name for other in self.seats.values() if other is not seat]
         if not wanted:
-            seat.given = seat.name = names.new_name([*taken, seat.given])
-            seat.color = names.color_of(seat.given)
+            with speaking(self.language):
+                seat.given, seat.color = names.new_name([*taken, seat.given])
+            seat.name = seat.given
         else:
             name = sanitize_line(wanted, MAX_NAME_LENGTH)
             if not self.own_names:

@@ -1346,6 +1346,9 @@ export type Words = {
   "muscles-often": never;
   "muscles-spread": never;
   "muscles-spread.hint": never;
+  "seat-name": "color" | "animal";
+  "seat-colors": never;
+  "seat-animals": never;
   "canvas-body": never;
   "line-away": never;
   "line-body-waits": never;

@@ -19,6 +19,7 @@ from app.classroom.answers import (
     Work,
 )
 from app.classroom.room import MAX_SEATS, MAX_SEATS_PER_VISITOR, Room, Seat
+from app.words import languages, say, speaking
 from sim.scene.lesson import Lesson, Question, Step
 from tests.amount import examples
 
@@ -286,6 +287,31 @@ def test_the_wall_shows_one_thing_of_one_seat_alone() -> None:
 def test_codes_are_no_words_for_a_wall() -> None:
     numbers = iter([names.LETTERS.index(c) for c in "CRAP" + "ASSB" + "ABCD" + "WXYZ"])
     assert names.new_code({"ABCD"}, lambda _: next(numbers)) == "WXYZ"
+
+
+@pytest.mark.parametrize("tag", languages())
+def test_names_of_a_class_are_of_its_language(tag: str) -> None:
+    """All differ, also where a pupil's own name is a single word; the first ones in animal and colour."""
+    room = a_room()
+    room.language, room.own_names = tag, True
+    with speaking(tag):
+        animals, colors = say("seat-animals").splitlines(), say("seat-colors").splitlines()
+    assert len(set(animals)) == len(animals) >= 45
+    assert len(set(colors)) == len(names.COLORS)
+    first = room.enter(SECRETS[0]).number
+    room.rename(first, "Ann")
+    room.rename(room.enter(SECRETS[1]).number)
+    given: list[names.Name] = []
+    with speaking(tag):
+        for _ in range(2 * len(animals)):
+            given.append(names.new_name([name.text for name in given]))
+    assert len({name.text for name in given}) == len(given)
+    assert {name.color for name in given[:10]} == set(names.COLORS)
+    assert all(name.text.isprintable() for name in given)
+    with speaking(tag):
+        rest = {names.new_name([], lambda _, i=i: i).text for i in range(len(animals) * len(colors))}
+    assert len(rest) == len(animals) * len(colors)
+    assert room.seats[2].given in rest
 
 
 _CONTENT = {Vote: Vote(1), Prediction: Prediction(((1.0, 2.0),) * 4), Line: Line("so"), Work: Work()}

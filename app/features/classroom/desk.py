@@ -24,7 +24,7 @@ from ...session.session import Notice, Session
 from ...ui.controls import Controls
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...words import say
+from ...words import language, say
 from ...words.english import of
 from ..files.sharing import qr_code
 from . import messages
@@ -102,6 +102,7 @@ class DeskRole(ClassRole):
         if not self._is_teacher and is_key(self.room, who.teacher):
             self._is_teacher = True
             self.classroom.teachers += 1
+            self.room.language = language()
             session.generation += 1  # it has controls from now on
 
     def hear(self, said: from_page.FromPage, session: Session) -> None:
