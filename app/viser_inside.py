@@ -163,7 +163,7 @@ PLACE = '<div id="root"></div>'
 def page_script() -> str:
     """The element of the one script that is viser's page.
 
-    The script reads data from its own element; it is changed to find them also when another element runs it.
+    The script reads data from its own element; it is changed to find them also as a module.
 
     Raises:
         OSError: it cannot be read.

@@ -1970,6 +1970,7 @@ export type Words = {
   "ui-needs-javascript": never;
   "ui-needs-webgl": never;
   "ui-other-viser": never;
+  "ui-not-loaded": never;
   "ui-no-canvas": never;
   "ui-no-canvas.reload": never;
   "ui-pad": never;

@@ -1972,6 +1972,7 @@ Key = Literal[
     "ui-needs-javascript",
     "ui-needs-webgl",
     "ui-other-viser",
+    "ui-not-loaded",
     "ui-no-canvas",
     "ui-no-canvas.reload",
     "ui-pad",

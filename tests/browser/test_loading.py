@@ -50,6 +50,36 @@ def test_a_page_of_viser_s_that_it_does_not_know_says_so(browser: Browser, serve
     context.close()
 
 
+def test_a_page_that_does_not_arrive_whole_says_so_and_loads_again(browser: Browser, serve: Serve) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    page.route("**/viser.txt", lambda route: route.abort(), times=1)
+    page.goto(serve("ring").url)
+    alert = page.get_by_role("alert")
+    expect(alert).to_contain_text("The page did not arrive whole")
+    alert.get_by_role("button", name="Reload").click()
+    expect(page.locator(".softrod-loading")).to_have_count(0, timeout=30_000)
+    context.close()
+
+
+def test_another_language_is_loaded_without_what_all_languages_share(browser: Browser, serve: Serve) -> None:
+    context = browser.new_context()
+    page = context.new_page()
+    served = serve("ring")
+    sizes: list[tuple[str, int]] = []
+    for tag in ("en", "de"):
+        page.goto(f"{served.url}?lang={tag}")
+        expect(page.locator(".softrod-loading")).to_have_count(0, timeout=30_000)
+        sizes.append((page.locator("html").get_attribute("lang") or "", page.evaluate(TRANSFERRED)))
+    (_, first), (now, then) = sizes
+    assert now == "de"
+    assert then < 60_000 < 600_000 < first, "bytes as they come, packed"
+    context.close()
+
+
+TRANSFERRED = """() => ["navigation", "resource"].flatMap((kind) => performance.getEntriesByType(kind)).reduce(
+  (sum, one) => sum + one.transferSize, 0)"""
+
 OF_VISER = """() => {
   const canvas = window.__softrod.canvas();
   const seen = (one) => one.checkVisibility() && one.getBoundingClientRect().width > 0;

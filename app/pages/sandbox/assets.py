@@ -20,6 +20,8 @@ from .features import FEATURES
 
 _APP = Path(__file__).parents[2]
 _MAIN = "pages/sandbox/main.js"
+_VISER = "ui/viser/viser.txt"
+"""viser's page: apart from softrod's, so that browsers keep most of what they are sent."""
 _PAGES = {
     CLASS: (class_page, "pages/classroom/main.js"),
     CHECK: (check_page, "pages/check/check.js"),
@@ -29,7 +31,8 @@ _PAGES = {
 imports, since many small files cost more bytes."""
 _FOLDERS = tuple(_APP / name for name in ("ui", "features", "pages"))
 """Folders with images and fonts, which have the same relative paths as on the disk."""
-_TYPES = {".svg": "image/svg+xml", ".webp": "image/webp", ".woff2": "font/woff2"}
+_MEDIA = {".svg": "image/svg+xml", ".webp": "image/webp", ".woff2": "font/woff2"}
+_TYPES = {".js": "text/javascript", ".txt": "text/plain", **_MEDIA}
 _FOREVER = "public, max-age=31536000, immutable"
 _FIRST_SHEETS = (
     "ui/page.css",
@@ -45,10 +48,18 @@ _LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
 
 @cache
 def _sources() -> dict[str, bytes]:
-    """Scripts, images and fonts, by their names in the folder of the application."""
-    paths = (path for folder in _FOLDERS for path in sorted(folder.rglob("*")) if path.suffix in _TYPES)
+    """Scripts, images and fonts, by their names in the folder of the application.
+
+    Raises:
+        GateError: viser's page differs from the known version.
+    """
+    paths = (path for folder in _FOLDERS for path in sorted(folder.rglob("*")) if path.suffix in _MEDIA)
     sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
     scripts = _MAIN, *(script for _, script in _PAGES.values())
+    try:
+        sources[_VISER] = page_script().encode()
+    except (OSError, ValueError) as error:
+        raise GateError(f"viser's page cannot be used: {error}") from None
     return sources | {name: bundle(_APP / name).encode() for name in scripts}
 
 
@@ -70,9 +81,7 @@ def page_files() -> dict[str, StaticFile]:
     """
     folder = _folder()
     files = {
-        f"/{folder}{name}": StaticFile(
-            gzip.compress(data, mtime=0), _TYPES.get(Path(name).suffix, "text/javascript"), _FOREVER
-        )
+        f"/{folder}{name}": StaticFile(gzip.compress(data, mtime=0), _TYPES[Path(name).suffix], _FOREVER)
         for name, data in _sources().items()
     }
     return {**files, **{path: page_in(path, ENGLISH) for path in (*PAGE_PATHS, *_PAGES)}}
@@ -126,10 +135,6 @@ def _index(folder: str) -> str:
 
     softrod's script has to run before viser's, or it would miss the first messages. So viser's is not run by
     the browser but started by softrod's."""
-    try:
-        script = page_script()
-    except (OSError, ValueError) as error:
-        raise GateError(f"viser's page cannot be used: {error}") from None
     return "\n".join(
         (
             '<!doctype html><html lang="en"><head><meta charset="utf-8" />',
@@ -138,11 +143,11 @@ def _index(folder: str) -> str:
             f'<link rel="icon" href="{folder}pages/sandbox/icon.svg" />',
             f'<link rel="preload" href="{folder}ui/fonts/inter-latin.woff2" as="font" crossorigin />',
             f'<link rel="modulepreload" href="{folder}{_MAIN}" />',
+            f'<link rel="preload" href="{folder}{_VISER}" as="fetch" crossorigin />',
             f"<style>{page_styles(f'{folder}ui/fonts/')}</style></head><body>",
             (_APP / "ui" / "viser" / "loading.html").read_text(encoding="utf-8"),
             f'<main class="softrod-main"><h1 class="softrod-tell">softrod</h1>{PLACE}</main>',
             "{words}",
-            f'<script type="module" src="{folder}{_MAIN}"></script>',
-            f'<script type="text/plain"{script.removeprefix("<script")}</body></html>',
+            f'<script type="module" src="{folder}{_MAIN}"></script></body></html>',
         )
     )

@@ -14,7 +14,7 @@ import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
 import { addKeyMarks } from "../../stage/key_marks.js";
 import { addLoads } from "../../stage/load_marks.js";
-import { beginViser, canDraw, showFault, endLoading, watchGraphics } from "../../ui/viser/loading.js";
+import { canDraw, showFault, endLoading, viserScript, watchGraphics } from "../../ui/viser/loading.js";
 import { addOverlay } from "../../stage/overlay.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { identify } from "../../ui/owner.js";
@@ -91,8 +91,11 @@ whenViser((viser) => {
   Object.assign(window, { __softrod: tested });
 });
 if (canDraw()) {
-  late = setTimeout(() => showFault(say("ui-other-viser")), 1e3 * PATIENCE);
-  beginViser();
+  viserScript().then((script) => {
+    if (!script) return;
+    late = setTimeout(() => showFault(say("ui-other-viser")), 1e3 * PATIENCE);
+    document.head.append(script);
+  });
 } else {
   showFault(say("ui-needs-webgl"));
 }

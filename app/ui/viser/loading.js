@@ -23,12 +23,17 @@ export function showFault(text) {
   return said;
 }
 
+/** Shows why the page cannot work, and a button that loads it again. @param {"ui-no-canvas" | "ui-not-loaded"} why */
+function offerReload(why) {
+  showFault(say(why)).append(" ", makeButton(say("ui-no-canvas.reload"), () => location.reload(), ""));
+}
+
 /** Offers to reload once the browser has discarded the canvas, since viser does not restore all of it. */
 export function watchGraphics() {
   const lost = (/** @type {Event} */ { target }) => {
     if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
     window.removeEventListener("webglcontextlost", lost, true);
-    showFault(say("ui-no-canvas")).append(" ", makeButton(say("ui-no-canvas.reload"), () => location.reload(), ""));
+    offerReload("ui-no-canvas");
   };
   window.addEventListener("webglcontextlost", lost, true);
 }
@@ -40,13 +45,20 @@ export function canDraw() {
   return context !== null;
 }
 
-/** Begins viser's page, whose script is in the page but not run yet. */
-export function beginViser() {
-  const waiting = document.querySelector("script[data-p]");
-  const script = document.createElement("script");
-  script.type = "module";
-  script.textContent = waiting?.textContent ?? "";
-  document.head.append(script);
+/**
+ * Gives the script that is viser's page, ready to be run; null if it did not arrive, which is said. It is a file of its
+ * own, so that browsers keep it when the language changes.
+ */
+export async function viserScript() {
+  const text = await fetch(new URL("viser.txt", import.meta.url)).then((answer) => (answer.ok ? answer.text() : ""), () => "");
+  if (!text) {
+    offerReload("ui-not-loaded");
+    return null;
+  }
+  const waiting = new DOMParser().parseFromString(text, "text/html").querySelector("script");
+  const script = Object.assign(document.createElement("script"), { type: "module", textContent: waiting?.textContent ?? "" });
+  Object.assign(script.dataset, waiting?.dataset); // which it reads from its element
+  return script;
 }
 
 /** Removes the loading screen once there is something to see. */

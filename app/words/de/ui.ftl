@@ -52,6 +52,7 @@ ui-loading = Wird geladen …
 ui-needs-javascript = Für softrod ist JavaScript nötig; hier ist es ausgeschaltet.
 ui-needs-webgl = softrod zeichnet mit WebGL 2, das dieser Browser nicht hat oder das ausgeschaltet ist: Erlaube in seinen Einstellungen die Hardwarebeschleunigung, oder nimm einen anderen Browser.
 ui-other-viser = Diese Seite kann nicht zeichnen: Ihre viser-Seite hat nicht die Version, die softrod unterstützt.
+ui-not-loaded = Die Seite ist nicht ganz angekommen:
 ui-no-canvas = Der Browser zeichnet diese Seite nicht mehr. Dein Körper ist gesichert:
     .reload = Neu laden
 

@@ -72,7 +72,8 @@ ui-loading = Loading…
 ui-needs-javascript = softrod needs JavaScript, which is switched off here.
 ui-needs-webgl = softrod draws with WebGL 2, which this browser does not have or has switched off: allow hardware acceleration in its settings, or use another browser.
 ui-other-viser = This page cannot draw: its viser page is not the version that softrod supports.
-# Before a button that loads the page again.
+# These two stand before a button that loads the page again.
+ui-not-loaded = The page did not arrive whole:
 ui-no-canvas = The browser no longer draws this page. Your body is saved:
     .reload = Reload
 

@@ -52,6 +52,7 @@ ui-loading = Cargando…
 ui-needs-javascript = softrod necesita JavaScript, que aquí está desactivado.
 ui-needs-webgl = softrod dibuja con WebGL 2, que este navegador no tiene o tiene desactivado: permite la aceleración por hardware en sus ajustes o usa otro navegador.
 ui-other-viser = Esta página no puede dibujar: su página de viser no es la versión compatible con softrod.
+ui-not-loaded = La página no ha llegado entera:
 ui-no-canvas = El navegador ya no dibuja esta página. Tu cuerpo está guardado:
     .reload = Volver a cargar
 

@@ -52,6 +52,7 @@ ui-loading = Chargement…
 ui-needs-javascript = softrod a besoin de JavaScript, qui est désactivé ici.
 ui-needs-webgl = softrod dessine avec WebGL 2, que ce navigateur n’a pas ou a désactivé : autorise l’accélération matérielle dans ses paramètres ou utilise un autre navigateur.
 ui-other-viser = Cette page ne peut pas dessiner : sa page viser n’est pas dans la version que softrod prend en charge.
+ui-not-loaded = La page n’est pas arrivée en entier :
 ui-no-canvas = Le navigateur ne dessine plus cette page. Ton objet est enregistré :
     .reload = Recharger
 

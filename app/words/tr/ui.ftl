@@ -52,6 +52,7 @@ ui-loading = Yükleniyor…
 ui-needs-javascript = softrod için JavaScript gerekli; burada kapalı.
 ui-needs-webgl = softrod, WebGL 2 ile çizer; bu tarayıcıda WebGL 2 yok veya kapalı: ayarlarından donanım hızlandırmaya izin ver veya başka bir tarayıcı kullan.
 ui-other-viser = Bu sayfa çizim yapamıyor: viser sayfası, softrod programının desteklediği sürümde değil.
+ui-not-loaded = Sayfa eksik yüklendi:
 ui-no-canvas = Tarayıcı bu sayfayı artık çizmiyor. Cismin kaydedildi:
     .reload = Yeniden yükle
 
