@@ -77,8 +77,9 @@ def test_another_language_is_loaded_without_what_all_languages_share(browser: Br
     context.close()
 
 
-TRANSFERRED = """() => ["navigation", "resource"].flatMap((kind) => performance.getEntriesByType(kind)).reduce(
-  (sum, one) => sum + one.transferSize, 0)"""
+TRANSFERRED = """() => ["navigation", "resource"]
+  .flatMap((kind) => performance.getEntriesByType(kind))
+  .reduce((sum, one) => sum + one.transferSize, 0)"""
 
 OF_VISER = """() => {
   const canvas = window.__softrod.canvas();
