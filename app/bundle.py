@@ -1,4 +1,4 @@
-"""Modules of a script as one script: for a page that fetches one, a file that fetches none, or to be read.
+"""Modules of a script as one script: for a page that fetches few, a file that fetches none, or to be read.
 
 It knows the forms of import and export that softrod's own modules use, and refuses others; it is no bundler
 for scripts in general.
@@ -16,6 +16,7 @@ from .conditional import needed_lines
 _NAMED = re.compile(r'^import \{([\w\s,]+)\} from "(\.[\w./-]+)";$', re.MULTILINE)
 _WHOLE = re.compile(r'^import \* as (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
 _DEFAULT = re.compile(r'^import (\w+) from "(\.[\w./-]+)";$', re.MULTILINE)
+_LATER = re.compile(r'\bimport\("(\.[\w./-]+)"\)')
 _AS = re.compile(r"(\w+) as (\w+)")
 _EXPORT = re.compile(r"^export ((?:async )?function|const|class) (\w+)", re.MULTILINE)
 _EXPORT_DEFAULT = re.compile(r"^export default ", re.MULTILINE)
@@ -49,30 +50,94 @@ def bundle(start: Path, has: Mapping[str, bool] | None = None) -> str:
         has: what is needed of the modules, see `app.conditional`; all if it is None.
 
     Raises:
-        BundleError: a module imports or exports in another form, or two import each other.
+        BundleError: a module imports or exports in another form, two import each other, or one loads another
+            later.
     """
-    return _Bundle(start.resolve(), has).text()
+    text, *later = _bundles(start.resolve(), has).values()
+    if later:
+        raise BundleError(f"{start}: a script that is alone cannot load others later")
+    return text
+
+
+def bundles(start: Path) -> dict[Path, str]:
+    """The same for a page that loads some modules later: by `import("./module.js")`, where it needs them.
+
+    Returns:
+        the texts by the paths of their modules: first that of the start, then those of what is loaded later,
+        with all that only they import. They import the rest from the first, so each module is there once.
+
+    Raises:
+        BundleError: see `bundle`; or two that are loaded later import the same one, which the first does not.
+    """
+    return _bundles(start.resolve(), None)
+
+
+def _bundles(start: Path, has: Mapping[str, bool] | None) -> dict[Path, str]:
+    first = _Bundle(start, has)
+    later = [_Bundle(path, has, first) for path in first.later]
+    if any(one.later for one in later):
+        raise BundleError(f"{start}: what is loaded later cannot load others")
+    alone = [path for one in later for path in one.own]
+    for path in alone:
+        if alone.count(path) > 1:
+            raise BundleError(f"{path}: several that are loaded later import it; the first one does not")
+    return {one.start: one.text() for one in (first, *later)}
 
 
 class _Bundle:
-    """The modules that one imports, each once, after those that it needs."""
+    """The modules that one imports, each once, after those that it needs.
 
-    def __init__(self, start: Path, has: Mapping[str, bool] | None) -> None:
-        self._start, self._has = start, has
-        self._names = {start: "exported_by_none"}
+    Args:
+        start: the module.
+        has: what is needed of them.
+        first: what is loaded before; its modules are imported from there.
+
+    Attributes:
+        start: as above.
+        later: the modules that are loaded later.
+        own: the modules that are here.
+    """
+
+    def __init__(self, start: Path, has: Mapping[str, bool] | None, first: _Bundle | None = None) -> None:
+        if first is not None and start in first.own:
+            raise BundleError(f"{start}: it is loaded later, and imported at once")
+        self.start, self.later, self.own = start, dict[Path, None](), {start}
+        self._has, self._first = has, first
+        self._names = {**(first._names if first else {}), start: "exported_by_none"}
         self._parts: dict[str, str] = {}
+        self._taken: set[str] = set()
+        self._given: set[str] = set()
+        self._body, self._exported = self._included(start)
 
     def text(self) -> str:
-        text = self._included(self._start)[0]
-        return _INDENT.sub("\n", "\n".join((*self._parts.values(), text)))
+        parts = [*self._parts.values(), self._body]
+        if self._first is not None:
+            parts.insert(
+                0, f'import {{ {", ".join(sorted(self._taken))} }} from "{self._way(self._first.start)}";'
+            )
+            exported = (re.sub(r"(\w+): (\w+)", r"\2 as \1", name) for name in self._exported)
+            parts.append(f"export {{ {', '.join(exported)} }};")
+        elif self._given:
+            parts.append(f"export {{ {', '.join(sorted(self._given))} }};")
+        return _INDENT.sub("\n", "\n".join(parts))
+
+    def _way(self, path: Path) -> str:
+        """The relative address of a module."""
+        way = Path(os.path.relpath(path, self.start.parent)).as_posix()
+        return way if way.startswith(".") else f"./{way}"
 
     def _name(self, path: Path) -> str:
         """The variable that holds what a module exports; it is defined where it returns."""
         name = self._names.get(path)
-        if name is None:
+        if self._first is not None and path in self._first.own - {self._first.start}:
+            name = self._names[path]
+            self._taken.add(name)
+            self._first._given.add(name)
+        elif name is None:
             plain = f"module_{path.stem}"
             same = sum(path.stem == other.stem for other in self._names)
             name = self._names[path] = f"{plain}_{same + 1}" if same else plain
+            self.own.add(path)
             body, exported = self._included(path)
             self._parts[name] = (
                 f"const {name} = (() => {{\n{body}\nreturn {{ {', '.join(exported)} }};\n}})();"
@@ -90,6 +155,12 @@ class _Bundle:
         def other(where: str) -> str:
             return self._name((path.parent / where).resolve())
 
+        def loaded(match: re.Match[str]) -> str:
+            target = (path.parent / match[1]).resolve()
+            self.later[target] = None
+            return f'import("{self._way(target)}")'
+
+        text = _LATER.sub(loaded, text)
         text = _NAMED.sub(
             lambda match: "const {" + _AS.sub(r"\1: \2", match[1]) + f"}} = {other(match[2])};", text
         )
@@ -102,7 +173,7 @@ class _Bundle:
             exported.append("default: exported_")
         if left := _LEFT.search(text):
             raise BundleError(f"{path}: {left[0]!r} is not known to the bundler")
-        place = Path(os.path.relpath(path, self._start.parent)).as_posix()
+        place = Path(os.path.relpath(path, self.start.parent)).as_posix()
         return _PLACE.sub(f'new URL("{place}", import.meta.url).href', text), exported
 
 

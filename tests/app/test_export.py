@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import json
+import subprocess
 import threading
 import zlib
 from dataclasses import replace
@@ -18,7 +19,7 @@ from PIL import Image
 
 import sim
 from app.background import BackgroundWorker
-from app.bundle import BundleError, bundle
+from app.bundle import BundleError, bundle, bundles
 from app.export import film, model, replay
 from app.export.clip import Clip, ClipFrame
 from app.export.formats import FORMATS
@@ -197,6 +198,42 @@ def test_the_bundler_refuses_what_it_does_not_know(tmp_path: Path) -> None:
     (tmp_path / "a.js").write_text("const text = `\n  two lines`;\n")
     with pytest.raises(BundleError, match="several lines"):
         bundle(tmp_path / "a.js")
+
+
+def test_what_is_loaded_later_shares_its_modules_with_what_is_there(tmp_path: Path) -> None:
+    """Run by node: each module is there once, also one that has a namesake in another folder."""
+    texts = {
+        "pages/main.mjs": 'import { note } from "../parts/count.mjs";\n'
+        'const load = async () => (await import("../later/more.mjs")).more();\n'
+        "note();\nload().then((told) => console.log(told, note()));\n",
+        "parts/count.mjs": "let count = 0;\nexport const note = () => (count += 1);\n",
+        "later/more.mjs": 'import { note } from "../parts/count.mjs";\n'
+        'import { note as own } from "./count.mjs";\n'
+        "export const more = () => `${note()} ${own()}`;\nexport default 3;\n",
+        "later/count.mjs": "export const note = () => 40;\n",
+    }
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    made = bundles(tmp_path / "pages" / "main.mjs")
+    assert [path.name for path in made] == ["main.mjs", "more.mjs"]
+    for path, text in made.items():
+        target = tmp_path / "made" / path.relative_to(tmp_path)
+        target.parent.mkdir(parents=True)
+        target.write_text(text)
+    run = subprocess.run(["node", tmp_path / "made" / "pages" / "main.mjs"], capture_output=True, text=True)
+    assert run.stdout == "2 40 3\n", run.stderr
+    with pytest.raises(BundleError, match="alone cannot load"):
+        bundle(tmp_path / "pages" / "main.mjs")
+    (tmp_path / "later" / "more.mjs").write_text('const load = () => import("./count.mjs");\n')
+    with pytest.raises(BundleError, match="cannot load others"):
+        bundles(tmp_path / "pages" / "main.mjs")
+    (tmp_path / "later" / "more.mjs").write_text('import { note } from "./count.mjs";\nnote();\n')
+    (tmp_path / "later" / "other.mjs").write_text('import { note } from "./count.mjs";\nnote();\n')
+    both = 'const all = [import("../later/more.mjs"), import("../later/other.mjs")];\n'
+    (tmp_path / "pages" / "main.mjs").write_text(both)
+    with pytest.raises(BundleError, match="several that are loaded later"):
+        bundles(tmp_path / "pages" / "main.mjs")
 
 
 # ------------------------------------------------------------------------- models

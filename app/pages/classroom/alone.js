@@ -8,10 +8,6 @@
  * @typedef {import("../../export/live/static/hands.js").Hands} Hands
  * @typedef {import("../../export/live/static/settings.js").Setting} Setting
  */
-import { Body } from "../../export/live/static/body.js";
-import { Clock } from "../../export/live/static/clock.js";
-import { measure } from "../../export/live/static/quantities.js";
-import { write } from "../../export/live/static/settings.js";
 import { onMessage } from "../../wire/channel.js";
 
 const NOTHING_HELD = { factor: 1, angle: 0 };
@@ -21,7 +17,9 @@ export class Alone {
   #data = null;
   /** The values of the sliders as the data have them. @type {Map<string, number | string>} */
   #first = new Map();
-  /** @type {Clock | null} */
+  /** What moves it; null before that is loaded. @type {typeof import("./physics.js").physics | null} */
+  #physics = null;
+  /** @type {import("../../export/live/static/clock.js").Clock | null} */
   #clock = null;
   #before = 0;
   playing = true;
@@ -34,6 +32,7 @@ export class Alone {
     onMessage("alone", ({ body, method, dt }) => {
       this.#data = body ? { body: JSON.parse(body), method, dt } : null;
       this.#first.clear();
+      if (body && !this.#physics) import("./physics.js").then(({ physics }) => (this.#physics = physics), () => {});
     });
     onMessage("bench", ({ dials }) => {
       for (const { key, value } of dials) if (!this.#first.has(key)) this.#first.set(key, value);
@@ -47,10 +46,9 @@ export class Alone {
 
   /** Goes on, if that is possible here. @param {boolean} isOwn whether the body is this page's */
   begin(isOwn) {
-    if (this.#clock || !this.#data || !isOwn) return;
-    const { body: data, method, dt } = this.#data;
-    const body = new Body(data);
-    const clock = new Clock(body, method, dt);
+    const clock = this.#clock || !isOwn ? null : this.#start();
+    if (!clock) return;
+    const { body } = clock;
     const [one, two] = this.picture.latest.slice(-2);
     if (two && two.positions.length === body.positions.length && two.time > one.time) {
       const h = two.time - one.time;
@@ -64,6 +62,13 @@ export class Alone {
     requestAnimationFrame((now) => this.#next(now));
   }
 
+  /** The clock of a body at its start; null where there can be none. */
+  #start() {
+    if (!this.#data || !this.#physics) return null;
+    const { Body, Clock } = this.#physics;
+    return new Clock(new Body(this.#data.body), this.#data.method, this.#data.dt);
+  }
+
   /** Shows the server's body again. */
   end() {
     this.#clock = null;
@@ -73,8 +78,7 @@ export class Alone {
   /** From the beginning. */
   reset() {
     if (!this.#clock) return;
-    const { body: data, method, dt } = this.#data;
-    this.#clock = new Clock(new Body(data), method, dt);
+    this.#clock = this.#start();
     this.hands().letGo();
     this.playing = true;
   }
@@ -82,11 +86,11 @@ export class Alone {
   /** Sets a number of the body; true if one moves here. @param {import("../../wire/wire.js").Dial} dial @param {number | string} value */
   change(dial, value) {
     const clock = this.#clock;
-    if (!clock) return false;
+    if (!clock || !this.#physics) return false;
     const first = this.#first.get(dial.key);
     const setting = /** @type {Setting} */ ({ ...dial, value: first === undefined ? dial.value : first });
     if (dial.key === "dt") clock.dt = Number(value);
-    else if (dial.sets.length) write(clock.body, setting, value);
+    else if (dial.sets.length) this.#physics.write(clock.body, setting, value);
     clock.changed();
     return true;
   }
@@ -94,8 +98,8 @@ export class Alone {
   /** @param {number} now ms */
   #next(now) {
     const clock = this.#clock, { plan } = this.picture;
-    if (!clock || !plan) return;
-    const { body } = clock;
+    if (!clock || !plan || !this.#physics) return;
+    const { body } = clock, { measure } = this.#physics;
     if (this.playing && !clock.exploded) clock.go((now - this.#before) / 1e3, this.hands().all, NOTHING_HELD);
     this.#before = now;
     plan.restAngle = Float32Array.from(body.restAngle);

@@ -12,16 +12,15 @@ import { say } from "../../words/words.js";
 import { openLine } from "./line.js";
 import { Picture } from "./picture.js";
 import { addSeat } from "./seat.js";
-import { addWall } from "./wall.js";
 
-if (ready) {
+async function start() {
   identify();
   listenToTaps();
   apply();
   const picture = new Picture(element("canvas", HTMLCanvasElement), JSON.parse(element("shapes", HTMLScriptElement).textContent || ""));
   const as = new URLSearchParams(location.search).get("as");
   document.documentElement.dataset.softrodClass = as === "wall" ? "wall" : "seat";
-  const part = as === "wall" ? addWall(picture) : addSeat(picture);
+  const part = as === "wall" ? (await import("./wall.js")).addWall(picture) : addSeat(picture);
   const banner = element("banner", HTMLElement);
   let wasConnected = false;
   openLine((line) => {
@@ -42,3 +41,5 @@ if (ready) {
   // For the browser tests.
   Object.assign(window, { __softrod: { shown: () => picture, send, place: () => picture.place } });
 }
+
+if (ready) start();

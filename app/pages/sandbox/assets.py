@@ -8,7 +8,7 @@ import inspect
 from functools import cache
 from pathlib import Path
 
-from ...bundle import bundle, compact_style
+from ...bundle import bundles, compact_style
 from ...gate.gate import CHECK, CLASS, PAGE_PATHS, VIDEO, GateError, StaticFile
 from ...stage.looks import style_rules
 from ...viser_inside import PLACE, page_script
@@ -28,7 +28,7 @@ _PAGES = {
     VIDEO: (video_page, "pages/video/video.js"),
 }
 """By their paths, what makes each page but the sandbox, and its script. This is sent as one with all that it
-imports, since many small files cost more bytes."""
+imports at once, since many small files cost more bytes."""
 _FOLDERS = tuple(_APP / name for name in ("ui", "features", "pages"))
 """Folders with images and fonts, which have the same relative paths as on the disk."""
 _MEDIA = {".svg": "image/svg+xml", ".webp": "image/webp", ".woff2": "font/woff2"}
@@ -55,12 +55,19 @@ def _sources() -> dict[str, bytes]:
     """
     paths = (path for folder in _FOLDERS for path in sorted(folder.rglob("*")) if path.suffix in _MEDIA)
     sources = {path.relative_to(_APP).as_posix(): path.read_bytes() for path in paths}
-    scripts = _MAIN, *(script for _, script in _PAGES.values())
     try:
         sources[_VISER] = page_script().encode()
     except (OSError, ValueError) as error:
         raise GateError(f"viser's page cannot be used: {error}") from None
-    return sources | {name: bundle(_APP / name).encode() for name in scripts}
+    for script in (_MAIN, *(script for _, script in _PAGES.values())):
+        sources |= {name: text.encode() for name, text in _scripts(script).items()}
+    return sources
+
+
+@cache
+def _scripts(start: str) -> dict[str, str]:
+    """A page's script and those that it loads later, by their names."""
+    return {path.relative_to(_APP).as_posix(): text for path, text in bundles(_APP / start).items()}
 
 
 @cache
@@ -126,7 +133,7 @@ def page_in(path: str, language: str) -> StaticFile:
         GateError: viser's page differs from the known version.
     """
     make, script = _PAGES.get(path, (_index, _MAIN))
-    page = localized(make(_folder()), language, _sources()[script].decode())
+    page = localized(make(_folder()), language, "\n".join(_scripts(script).values()))
     return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
 
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** Starts softrod's part of the page; viser's page has the panel, the nodes and the connection. */
 import { watchConnectionLoss } from "../../ui/away.js";
-import { addClassroom } from "../../features/classroom/classroom.js";
+import { loadClassroom } from "../../features/classroom/classroom.js";
 import { fitted, isSettled, keepFlat } from "../../stage/camera.js";
 import { addChase } from "../../stage/chase.js";
 import { drawBody, shown } from "../../stage/canvas.js";
@@ -14,7 +14,7 @@ import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
 import { addKeyMarks } from "../../stage/key_marks.js";
 import { addLoads } from "../../stage/load_marks.js";
-import { canDraw, showFault, endLoading, viserScript, watchGraphics } from "../../ui/viser/loading.js";
+import { canDraw, showFault, endLoading, offerReload, viserScript, watchGraphics } from "../../ui/viser/loading.js";
 import { addOverlay } from "../../stage/overlay.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { identify } from "../../ui/owner.js";
@@ -50,6 +50,7 @@ watchConnection(
 );
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let late;
+let addClassroom = () => {};
 whenViser((viser) => {
   clearTimeout(late);
   if (!isKnown(viser)) {
@@ -91,11 +92,11 @@ whenViser((viser) => {
   Object.assign(window, { __softrod: tested });
 });
 if (canDraw()) {
-  viserScript().then((script) => {
-    if (!script) return;
+  Promise.all([viserScript(), loadClassroom()]).then(([script, add]) => {
+    addClassroom = add;
     late = setTimeout(() => showFault(say("ui-other-viser")), 1e3 * PATIENCE);
     document.head.append(script);
-  });
+  }, offerReload);
 } else {
   showFault(say("ui-needs-webgl"));
 }

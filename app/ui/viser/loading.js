@@ -23,9 +23,12 @@ export function showFault(text) {
   return said;
 }
 
-/** Shows why the page cannot work, and a button that loads it again. @param {"ui-no-canvas" | "ui-not-loaded"} why */
-function offerReload(why) {
-  showFault(say(why)).append(" ", makeButton(say("ui-no-canvas.reload"), () => location.reload(), ""));
+/** Says that the page has not arrived whole, and offers to load it again. */
+export const offerReload = () => sayWithReload(say("ui-not-loaded"));
+
+/** Shows why the page cannot work, and a button that loads it again. @param {string} why */
+function sayWithReload(why) {
+  showFault(why).append(" ", makeButton(say("ui-no-canvas.reload"), () => location.reload(), ""));
 }
 
 /** Offers to reload once the browser has discarded the canvas, since viser does not restore all of it. */
@@ -33,7 +36,7 @@ export function watchGraphics() {
   const lost = (/** @type {Event} */ { target }) => {
     if (!(target instanceof HTMLCanvasElement && target.isConnected)) return;
     window.removeEventListener("webglcontextlost", lost, true);
-    offerReload("ui-no-canvas");
+    sayWithReload(say("ui-no-canvas"));
   };
   window.addEventListener("webglcontextlost", lost, true);
 }
@@ -46,16 +49,13 @@ export function canDraw() {
 }
 
 /**
- * Gives the script that is viser's page, ready to be run; null if it did not arrive, which is said. It is a file of its
- * own, so that browsers keep it when the language changes.
+ * Gives the script that is viser's page, ready to be run. It is a file of its own, so that browsers keep it when the
+ * language changes.
  */
 export async function viserScript() {
-  const text = await fetch(new URL("viser.txt", import.meta.url)).then((answer) => (answer.ok ? answer.text() : ""), () => "");
-  if (!text) {
-    offerReload("ui-not-loaded");
-    return null;
-  }
-  const waiting = new DOMParser().parseFromString(text, "text/html").querySelector("script");
+  const answer = await fetch(new URL("viser.txt", import.meta.url));
+  if (!answer.ok) throw new Error(answer.statusText);
+  const waiting = new DOMParser().parseFromString(await answer.text(), "text/html").querySelector("script");
   const script = Object.assign(document.createElement("script"), { type: "module", textContent: waiting?.textContent ?? "" });
   Object.assign(script.dataset, waiting?.dataset); // which it reads from its element
   return script;
