@@ -144,6 +144,7 @@ export type Words = {
   "seat-predict.place": "place";
   "seat-predicted": never;
   "seat-predicted.place": "place";
+  "seat-handed-moved": never;
   "seat-step-left": never;
   "seat-step-right": never;
   "seat-step-up": never;

@@ -146,6 +146,7 @@ Key = Literal[
     "seat-predict.place",
     "seat-predicted",
     "seat-predicted.place",
+    "seat-handed-moved",
     "seat-step-left",
     "seat-step-right",
     "seat-step-up",

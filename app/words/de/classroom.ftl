@@ -89,6 +89,7 @@ seat-predict = Dort wird er sein
   .place = Abgeben: { $place }
 seat-predicted = Deine Vorhersage ist abgegeben
   .place = Deine Vorhersage ist abgegeben: { $place }
+seat-handed-moved = Die Antworten werden gezeigt: Deine Vorhersage ist so abgegeben, wie du sie gezogen hattest.
 seat-step-left = Ein wenig nach links
 seat-step-right = Ein wenig nach rechts
 seat-step-up = Ein wenig nach oben
