@@ -47,6 +47,9 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 
+_DECIMAL_COMMA = re.compile(r"\d,\d+")
+"""A number with a decimal comma, from the last digit before the comma on."""
+
 _DO: dict[str, Callable[..., float]] = {
     "+": operator.add,
     "-": operator.sub,
@@ -228,6 +231,17 @@ class _Reader:
     def _unexpected(self) -> InputError:
         token = self._next
         before = self._text[: token.begin].rstrip(" ")
+        if number := _DECIMAL_COMMA.match(self._text, max(token.begin - 1, 0)):
+            whole = re.search(r"\d*$", before)
+            assert whole is not None
+            found = whole[0] + number[0][1:]
+            return InputError(
+                Text(
+                    "{found} has a comma: in a formula a number is written with a point, as {better}",
+                    found=_short(found),
+                    better=found.replace(",", "."),
+                )
+            )
         if token.kind == "end":
             return InputError(Text("{formula}: something is missing at the end", formula=_short(self._text)))
         found = _short(self._text[token.begin : token.end])
@@ -431,8 +445,8 @@ class _Reader:
         )
 
 
-def _short(text: str, last: bool = False) -> str:
+def _short(text: str, last: bool = False) -> Text:
     """A part of a formula for a message, with quotes: its beginning, or its last letters, if it is long."""
     if len(text) > _SHOWN:
         text = f"…{text[1 - _SHOWN :]}" if last else f"{text[: _SHOWN - 1]}…"
-    return repr(text)
+    return Text("{text!r}", text=text)
