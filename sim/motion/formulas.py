@@ -47,8 +47,8 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 
-_DECIMAL_COMMA = re.compile(r"\d,\d+")
-"""A number with a decimal comma, from the last digit before the comma on."""
+_DECIMALS = re.compile(r",\d+", re.ASCII)
+"""What stands after a number that is written with a decimal comma."""
 
 _DO: dict[str, Callable[..., float]] = {
     "+": operator.add,
@@ -183,7 +183,9 @@ class _Reader:
     def __init__(self, text: str, find: Callable[[str], Leaf], length: str) -> None:
         self._text, self._find, self._length = text, find, length
         self._tokens = self._split()
-        self._at = self._depth = 0
+        self._at = self._depth = self._pairs = (
+            0  # the last: functions around it whose values a comma separates
+        )
         self._names: dict[str, int] = {}
 
     def read(self) -> Formula:
@@ -231,17 +233,6 @@ class _Reader:
     def _unexpected(self) -> InputError:
         token = self._next
         before = self._text[: token.begin].rstrip(" ")
-        if number := _DECIMAL_COMMA.match(self._text, max(token.begin - 1, 0)):
-            whole = re.search(r"\d*$", before)
-            assert whole is not None
-            found = whole[0] + number[0][1:]
-            return InputError(
-                Text(
-                    "{found} has a comma: in a formula a number is written with a point, as {better}",
-                    found=_short(found),
-                    better=found.replace(",", "."),
-                )
-            )
         if token.kind == "end":
             return InputError(Text("{formula}: something is missing at the end", formula=_short(self._text)))
         found = _short(self._text[token.begin : token.end])
@@ -367,6 +358,15 @@ class _Reader:
         raise self._unexpected()
 
     def _number(self, token: _Token) -> _Part:
+        if not self._pairs and (decimals := _DECIMALS.match(self._text, token.end)):
+            found = token.text + decimals[0]
+            raise InputError(
+                Text(
+                    "{found} has a comma: in a formula a number is written with a point, as {better}",
+                    found=_short(found),
+                    better=found.replace(",", "."),
+                )
+            )
         value, end, dimension = float(token.text), token.end, PURE
         if self._next.kind == "unit":
             factor, dimension = read_unit(self._next.text, self._length)
@@ -386,10 +386,13 @@ class _Reader:
                 )
             )
         self._at += 1
+        has_pair = _ARGUMENTS[token.text] > 1
+        self._pairs += has_pair
         parts = [self._sum()]
         while self._takes(","):
             parts.append(self._sum())
         self._close()
+        self._pairs -= has_pair
         name, count = token.text, _ARGUMENTS[token.text]
         if len(parts) != count:
             given = len(parts)
