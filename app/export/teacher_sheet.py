@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import html
+import math
+import re
 from pathlib import Path
 
 import sim
@@ -17,8 +19,17 @@ from ..words import say
 from ..words.english import name_of, of, step_of
 from .html_file import document, said
 
+_TAG = re.compile(r"<[^>]*>")
+
 MINUTES_ASKED, MINUTES_TRIED = 8, 5
 """Of a class for a step with a question, and for one without: some six for the question, two for a try."""
+
+
+LARGEST, SMALLEST = 10.0, 8.0
+"""Size of the letters, points. They are smaller where more are to fit on the side, as in longer languages."""
+
+ON_A_SIDE = 2800
+"""Letters of a lesson that fit in the largest size."""
 
 
 def sheet_html(scene: sim.Scene) -> bytes:
@@ -41,8 +52,14 @@ def sheet_html(scene: sim.Scene) -> bytes:
 <p>{said("live-sheet-how")}</p>
 </header>
 <main>{"".join(parts)}</main>"""
+    letters = len(html.unescape(_TAG.sub("", body)))
+    size = max(SMALLEST, min(LARGEST, LARGEST * math.sqrt(ON_A_SIDE / letters)))
     style = "\n".join(
-        (style_rules("[data-dark]*"), compact_style(Path(__file__).parent / "static" / "sheet.css"))
+        (
+            style_rules("[data-dark]*"),
+            compact_style(Path(__file__).parent / "static" / "sheet.css"),
+            f"html {{ font-size: {size:.2f}pt }}",
+        )
     )
     return document(say("live-sheet-title", lesson=name_of(scene)), body, [style], [], {})
 

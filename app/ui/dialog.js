@@ -2,7 +2,7 @@
 /**
  * Dialogs of the script. The browser traps the focus in them, returns it afterwards, and closes them with Esc.
  */
-import { say } from "../words/words.js";
+import { say, tied } from "../words/words.js";
 
 /**
  * Makes an HTML element.
@@ -16,7 +16,7 @@ import { say } from "../words/words.js";
 export function make(kind, name, text = "") {
   const element = document.createElement(kind);
   if (name) element.className = name;
-  if (text) element.textContent = text;
+  if (text) element.textContent = tied(text);
   return element;
 }
 

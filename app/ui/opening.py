@@ -11,7 +11,7 @@ from sim.store.files import built_in_files, read_scene
 from sim.store.shared import shared_scene
 
 from ..gate.address import page_query
-from ..words import say
+from ..words import quoted, say
 
 
 def asked_scene(query: str) -> sim.Scene | None:
@@ -29,5 +29,5 @@ def asked_scene(query: str) -> sim.Scene | None:
     name = urllib.parse.unquote(fields["scene"])
     path = next((path for path in built_in_files() if path.stem.casefold() == name.casefold()), None)
     if path is None:
-        raise SceneError(say("ui-no-preset", name=repr(name[:80])))
+        raise SceneError(say("ui-no-preset", name=quoted(name[:80])))
     return read_scene(path)

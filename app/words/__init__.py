@@ -34,13 +34,14 @@ from .spoken import (
     listed,
     number,
     pseudo,
+    quoted,
     speaking,
 )  # fmt: skip
 
 __all__ = [
     "ENGLISH", "PSEUDO", "bundle_of", "choose", "decimal", "direction", "element", "entries", "find",
     "language", "languages", "listed", "localized", "messages", "number", "of", "of_script", "pseudo",
-    "say", "speaking", "way_of",
+    "quoted", "say", "speaking", "way_of",
 ]  # fmt: skip
 
 _KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')

@@ -24,7 +24,7 @@ from sim.scene.types import Scene, shown_name
 from sim.text import Text
 
 from . import spoken
-from .spoken import ENGLISH, PSEUDO, decimal, language, pseudo
+from .spoken import ENGLISH, PSEUDO, decimal, language, pseudo, quoted
 
 SCENES = "scenes"
 """The folder of a language with the texts of presets."""
@@ -67,7 +67,12 @@ class _Filled(string.Formatter):
 
     def convert_field(self, value: Any, conversion: str | None) -> Any:
         """See `string.Formatter`; a text in a place is said in the same language."""
-        return super().convert_field(of(value) if isinstance(value, Text) else value, conversion)
+        said = of(value) if isinstance(value, Text) else value
+        return (
+            quoted(said)
+            if conversion == "r" and isinstance(said, str)
+            else super().convert_field(said, conversion)
+        )
 
     def format_field(self, value: Any, format_spec: str) -> str:
         """See `string.Formatter`."""

@@ -144,6 +144,7 @@ export type Words = {
   "seat-predict.place": "place";
   "seat-predicted": never;
   "seat-predicted.place": "place";
+  "seat-handed-moved": never;
   "seat-step-left": never;
   "seat-step-right": never;
   "seat-step-up": never;
@@ -849,6 +850,7 @@ export type Words = {
   "files-replace.no": never;
   "files-saved": never;
   "files-saved.text": "name";
+  "files-saved.other": "name" | "typed";
   "files-failed": never;
   "files-failed.error": never;
   "files-one": never;
@@ -1017,6 +1019,7 @@ export type Words = {
   "instruments-strobe.every": "seconds";
   "language-name": never;
   "language-direction": never;
+  "language-quoted": "text";
   "lesson-card": never;
   "lesson-right": never;
   "lesson-answer": "choice";

@@ -23,7 +23,7 @@ FOLDER = Path(__file__).parent
 """The texts, a folder a language."""
 
 _RANGE = re.compile(r"\s*([A-Za-z]{1,8}(?:-[A-Za-z0-9]{1,8})*|\*)\s*(?:;\s*q\s*=\s*([0-9.]{1,5}))?\s*")
-_NAMED = re.compile(r"^language-(name|direction) = (.+)$", re.MULTILINE)
+_NAMED = re.compile(r"^language-(name|direction|quoted) = (.+)$", re.MULTILINE)
 _ACCENTS = str.maketrans("aceinouyACDEINOSUYZdgklrstz", "àçéîñöüýÀÇÐÉÎÑÖŠÛÝŽðğķļŕšťž")
 
 _now: ContextVar[str] = ContextVar("language", default=ENGLISH)
@@ -37,11 +37,13 @@ class Language:
         tag: by BCP 47, as in ``de``.
         name: what those who speak it call it.
         direction: ``ltr``, or ``rtl`` where text runs from right to left.
+        quoted: ``{ $text }`` in quotation marks.
     """
 
     tag: str
     name: str
     direction: str
+    quoted: str
 
 
 @cache
@@ -53,7 +55,9 @@ def languages() -> dict[str, Language]:
     found = {}
     for path in sorted(FOLDER.glob("*/language.ftl"), key=lambda path: (path.parent.name != ENGLISH, path)):
         told, tag = dict(_NAMED.findall(path.read_text(encoding="utf-8"))), path.parent.name
-        found[tag] = Language(tag, told["name"], told.get("direction", "ltr"))
+        found[tag] = Language(
+            tag, told["name"], told.get("direction", "ltr"), told.get("quoted", "'{ $text }'")
+        )
     return found
 
 
@@ -98,6 +102,14 @@ def speaking(tag: str) -> Iterator[None]:
         yield
     finally:
         _now.reset(token)
+
+
+def quoted(text: str) -> str:
+    """A name, or what was typed, in the quotation marks of the language that is spoken now."""
+    if (tag := _locale(_now.get())) == ENGLISH:
+        return repr(text)  # as the sentences of `sim` have it
+    plain = text if text.isprintable() else repr(text)[1:-1]
+    return languages()[tag].quoted.replace("{ $text }", plain)
 
 
 def number(value: float, digits: int = 3) -> str:

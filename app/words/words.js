@@ -31,6 +31,12 @@ export const POINT = (new Intl.NumberFormat(words.language).formatToParts(1.5).f
 /** A number that is written with a point as the page's language writes it. @param {string} text */
 export const decimal = (text) => text.replace(".", POINT);
 
+/** A number that a unit follows; in a formula there is none. */
+const MEASURED = /(\d) (?=(?:px|[cmk]?m|k?g|ms|s|min|N|J|W|Hz|%)(?![A-Za-z\d]))/g;
+
+/** A text whose numbers and their units stay on one line. @param {string} text */
+export const tied = (text) => text.replace(MEASURED, "$1\u00a0");
+
 /** A number with its unit, which keeps its direction in a text from right to left. @param {string} text */
 export const upright = (text) => (direction === "rtl" ? `\u2066${text}\u2069` : text);
 

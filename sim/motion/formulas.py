@@ -47,6 +47,9 @@ _TOKEN = re.compile(
     re.ASCII,
 )
 
+_DECIMALS = re.compile(r",\d+", re.ASCII)
+"""What stands after a number that is written with a decimal comma."""
+
 _DO: dict[str, Callable[..., float]] = {
     "+": operator.add,
     "-": operator.sub,
@@ -180,7 +183,9 @@ class _Reader:
     def __init__(self, text: str, find: Callable[[str], Leaf], length: str) -> None:
         self._text, self._find, self._length = text, find, length
         self._tokens = self._split()
-        self._at = self._depth = 0
+        self._at = self._depth = self._pairs = (
+            0  # the last: functions around it whose values a comma separates
+        )
         self._names: dict[str, int] = {}
 
     def read(self) -> Formula:
@@ -353,6 +358,15 @@ class _Reader:
         raise self._unexpected()
 
     def _number(self, token: _Token) -> _Part:
+        if not self._pairs and (decimals := _DECIMALS.match(self._text, token.end)):
+            found = token.text + decimals[0]
+            raise InputError(
+                Text(
+                    "{found} has a comma: in a formula a number is written with a point, as {better}",
+                    found=_short(found),
+                    better=found.replace(",", "."),
+                )
+            )
         value, end, dimension = float(token.text), token.end, PURE
         if self._next.kind == "unit":
             factor, dimension = read_unit(self._next.text, self._length)
@@ -372,10 +386,13 @@ class _Reader:
                 )
             )
         self._at += 1
+        has_pair = _ARGUMENTS[token.text] > 1
+        self._pairs += has_pair
         parts = [self._sum()]
         while self._takes(","):
             parts.append(self._sum())
         self._close()
+        self._pairs -= has_pair
         name, count = token.text, _ARGUMENTS[token.text]
         if len(parts) != count:
             given = len(parts)
@@ -431,8 +448,8 @@ class _Reader:
         )
 
 
-def _short(text: str, last: bool = False) -> str:
+def _short(text: str, last: bool = False) -> Text:
     """A part of a formula for a message, with quotes: its beginning, or its last letters, if it is long."""
     if len(text) > _SHOWN:
         text = f"…{text[1 - _SHOWN :]}" if last else f"{text[: _SHOWN - 1]}…"
-    return repr(text)
+    return Text("{text!r}", text=text)

@@ -433,6 +433,8 @@ def safe_name(name: str) -> str:
     Raises:
         SceneError: nothing usable is left, or a built-in preset has that name.
     """
+    if not name.strip():
+        raise SceneError(Text("a scene needs a name; use letters, digits and spaces"))
     text = re.sub(r"(?i)\.json$", "", unicodedata.normalize("NFKC", name).strip())
     text = re.sub(r"[^\w\-. '’&(),!+]+", "-", text).strip(" .-_")[:60].rstrip(" .-_")
     if not text or re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", text):

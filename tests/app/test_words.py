@@ -26,10 +26,14 @@ from app.words import (
     listed,
     number,
     of_script,
+    quoted,
     say,
     speaking,
 )
 from app.words.english import catalogue, name_of, of, read, step_of
+from sim.errors import InputError
+from sim.motion.quantities import quantity
+from sim.text import Text
 from tests.page.generate import texts
 from tests.words import wrong
 
@@ -39,6 +43,24 @@ ROOT = Path(__file__).parents[2]
 @pytest.mark.parametrize("tag", [tag for tag in languages() if tag != ENGLISH])
 def test_the_texts_of_a_language_are_english_ones_with_the_same_places(tag: str) -> None:
     assert not list(wrong(tag))
+
+
+def test_what_stands_in_quotation_marks_has_those_of_the_language() -> None:
+    error = Text("{name!r} is too long for the name of a scene", name="a'b")
+    assert of(error) == str(error) == '"a\'b" is too long for the name of a scene'
+    with pytest.raises(InputError) as refused:
+        quantity("2 mass0.x", sim.rope())
+    for tag, first, last in (
+        ("de", "„", "“"),
+        ("fr", "«\u202f", "\u202f»"),
+        ("es", "«", "»"),
+        ("tr", "“", "”"),
+        ("ar", "«", "»"),
+    ):
+        with speaking(tag):
+            assert f"{first}a'b{last}" in of(error)
+            assert f"{first}a\\n{last}" == quoted("a\n")
+            assert f"{first}mass0.x{last}" in of(str(refused.value))
 
 
 def test_what_is_said_has_all_that_stands_in_it() -> None:

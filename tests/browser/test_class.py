@@ -9,8 +9,10 @@ import re
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
+import msgspec
 import numpy as np
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -603,3 +605,76 @@ def test_a_prediction_is_made_by_taps_alone(school: School) -> None:
     phone.touchscreen.tap(x + 40.0, y)
     until(phone, lambda: phone.evaluate(where)[0] == pytest.approx(x + 40.0, abs=3.0), "the mass is, too")
     assert phone.evaluate(places)[2] > before[2]
+
+
+@pytest.mark.parametrize("size", [LAPTOP, WALL])
+def test_the_wall_shows_all_of_a_run_in_letters_for_the_last_row(
+    school: School, size: tuple[int, int]
+) -> None:
+    room, go = school.classroom.room, school.led()
+    wall = school.open(wall_address(school.base, room.code), size)
+    side = wall.locator(".softrod-wall-side")
+    plot = side.locator(".chart canvas")
+    letters = "getComputedStyle(document.querySelector('.softrod-wall-side')).fontSize"
+    for phase in (Phase.ASK, Phase.RESULTS, Phase.RUN, Phase.REVEAL, Phase.EXPLAIN, Phase.TRY):
+        go(phase)
+        expect(wall.locator("html")).to_have_attribute("data-softrod-phase", phase.value)
+        assert float(wall.evaluate(letters).removesuffix("px")) >= size[1] / 28, phase
+        if phase is Phase.RUN:
+            box = plot.bounding_box()
+            assert box is not None
+            assert box["height"] >= size[1] / 5 - 1.0
+            assert box["y"] + box["height"] <= size[1]
+            # Words that need more room take it from the letters, not from the plot.
+            wall.locator(".chart figcaption").evaluate("one => (one.textContent = 'More words. '.repeat(20))")
+            seen = "one => one.getBoundingClientRect().bottom <= innerHeight"
+            until(wall, partial(plot.evaluate, seen), "all of the plot is seen")
+        assert side.evaluate("one => one.scrollHeight <= one.clientHeight"), phase
+
+
+def test_the_reveal_has_a_strip_of_its_own_beside_the_body(school: School) -> None:
+    room, alone = school.classroom.room, a_lesson()
+    # Another body stands where the dots would be.
+    wide = msgspec.structs.replace(alone, masses=(*alone.masses, sim.Mass(position=(560.0, 200.0))))
+    room.choose((wide,))
+    go = school.led()
+    with FRAME_LOCK:
+        seats = [room.enter(f"{i:032x}") for i in range(12)]
+    go(Phase.ASK)
+    with FRAME_LOCK:
+        for i, seat in enumerate(seats):
+            places = ((300.0, 100.0), (300.0, 240.0 + i), (560.0, 200.0))
+            room.take(seat.number, an_answer(i, Prediction(places)))
+    wall = school.open(wall_address(school.base, room.code), LAPTOP)
+    go(Phase.RESULTS)
+    # The body is seen between the rings.
+    expect(wall.locator(".softrod-many path")).to_have_count(12)
+    assert wall.locator(".softrod-many path").first.evaluate("one => getComputedStyle(one).fill") == "none"
+    go(Phase.REVEAL)
+    expect(wall.locator(".softrod-reveal circle")).to_have_count(12)
+    beside = """() => {
+      const picture = window.__softrod.shown(), { plan, frame, place: on } = picture;
+      const end = (r, i) => on.x + ((frame.positions[2 * i] - plan.x) * plan.scale + r) * on.step;
+      const box = (one) => one.getBoundingClientRect();
+      const marks = [...document.querySelectorAll(".softrod-reveal :is(circle, text)")].map(box);
+      const { right, bottom } = box(picture.canvas);
+      return Math.min(...marks.map((one) => one.left)) > Math.max(...plan.radius.map(end)) &&
+        marks.every((one) => one.right <= right && one.bottom <= bottom);
+    }"""
+    until(wall, lambda: wall.evaluate(beside), "dots and texts are beside the body")
+
+
+def test_a_prediction_that_was_moved_is_handed_in_as_the_answers_are_shown(school: School) -> None:
+    room, go = school.classroom.room, school.led()
+    pupil = school.open(seat_address(school.base, room.code), LAPTOP)
+    go(Phase.ASK)
+    pupil.locator(".softrod-own-prediction circle").focus()
+    pupil.keyboard.press("ArrowDown")
+    expect(pupil.locator("[data-focus=predict]")).to_be_enabled()
+    go(Phase.RESULTS)
+    expect(pupil.locator(".softrod-handed")).to_have_text(
+        "The answers are shown: your prediction was handed in as you had moved it."
+    )
+    until(pupil, lambda: len(room.given(0, 0, Prediction)) == 1, "it is there")
+    [(_, prediction)] = room.given(0, 0, Prediction)
+    assert prediction.points[1][1] > 200.0

@@ -62,6 +62,11 @@ def test_a_built_in_name_is_refused_and_a_taken_one_asked_about(
     assert "built-in" in desk.notice("That did not work")
     assert not (data_folder / "softrod" / "scenes" / "Ring.json").exists()
 
+    # One that no file can have is made safe, and told.
+    desk.control("Name").fill("../a:b?")
+    desk.button("Save").click()
+    desk.notice("The scene is saved as 'a-b': the name of a file cannot be '../a:b?'.")
+
     save(desk, "taken")
     path = data_folder / "softrod" / "scenes" / "taken.json"
     first = path.read_bytes()

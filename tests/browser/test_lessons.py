@@ -27,7 +27,8 @@ def steps(name: str) -> tuple[Step, ...]:
 
 
 def words(desk: Desk) -> str:
-    return desk.page.locator(CARD).inner_text()
+    """What the card says; numbers and their units are joined by a space that does not break."""
+    return desk.page.locator(CARD).inner_text().replace("\xa0", " ")
 
 
 def press(desk: Desk, text: str) -> None:
@@ -114,7 +115,7 @@ def test_what_was_answered_is_told_and_known_after_a_reload_and_another_scene(op
     desk.tell(commands.Play(False))
     press(desk, "71 px")  # until it is told, one may think again
     pressed = desk.page.locator(f"{CARD} .softrod-choice[aria-pressed=true]")
-    desk.until(lambda: pressed.all_inner_texts() == ["71 px"], "it is the choice")
+    desk.until(lambda: pressed.all_inner_texts() == ["71\xa0px"], "it is the choice")
     desk.rest(2)
     assert not desk.session.playing
     press(desk, "Check my answer")

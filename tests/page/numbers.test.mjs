@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { plainText, readNumber, whyNot } from "../../app/ui/gui/numbers.js";
+import { tied } from "../../app/words/words.js";
 
 const READ = {
   "9.81": 9.81, "9,81": 9.81, " -350 ": -350, "\u2212350": -350, "+7": 7, ".5": 0.5, ",5": 0.5, "5.": 5,
@@ -9,6 +10,10 @@ const READ = {
   "1 234,5": 1234.5, "1\u202f234\u202f567": 1234567, "1'234.5": 1234.5, "0,125": 0.125, "1234,567": 1234.567,
   "1.234": 1.234, "2.50": 2.5, "0.500": 0.5, "2.0": 2,
 };
+
+test("a number and its unit stay on one line", () => {
+  assert.equal(tied("at 2000 px/s² for 4 s, 12,5 % of 3 masses"), "at 2000\u00a0px/s² for 4\u00a0s, 12,5\u00a0% of 3 masses");
+});
 
 test("numbers are read with a decimal point or comma, an exponent, and groups of three digits", () => {
   for (const [text, number] of Object.entries(READ)) assert.equal(readNumber(text), number, text);

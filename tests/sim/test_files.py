@@ -441,6 +441,10 @@ def test_names_that_cannot_be_used(name: str, home: Path) -> None:
     assert not home.exists() or list(home.iterdir()) == []
 
 
+def test_an_empty_name_is_asked_for(home: Path) -> None:
+    assert refusal(SceneError, safe_name, " ") == "a scene needs a name; use letters, digits and spaces"
+
+
 def test_saving_listing_loading_and_deleting(home: Path) -> None:
     assert all(info.built_in for info in list_scenes())
     assert save_user_scene(replace(star(5), description="mine"), "../My: star") == "My- star"

@@ -260,6 +260,8 @@ export function movedText(right, down, unit) {
 
 /** Bodies with more free masses than this have a disc at the last one only. */
 const FEW = 6;
+/** Of more predictions than this, nothing but rings is drawn where masses are asked for. */
+const FEW_OUTLINES = 3;
 /** Smallest radius of a disc, px: the last row sees it. */
 const LEAST_DISC = 7;
 
@@ -272,7 +274,7 @@ export function tipsOf({ radius, pinned, driven }, asked) {
   return free.length > FEW ? free.slice(-1) : free;
 }
 
-/** Draws the predictions of a class: pale bodies, with a disc at each free mass. */
+/** Draws the predictions of a class: pale bodies, with a disc at each free mass; of many, as little as lets the body be seen. */
 export class Predictions {
   svg = makeSvg("svg", "softrod-marks softrod-predictions");
   /** @type {Place[][]} */
@@ -291,6 +293,7 @@ export class Predictions {
     this.bodies = bodies;
     this.asked = asked;
     this.svg.replaceChildren(...bodies.map(() => makeSvg("path", "")));
+    this.svg.classList.toggle("softrod-many", bodies.length > FEW_OUTLINES);
     if (bodies.length && !this.svg.parentNode) this.marks.insert(this.svg);
     if (!bodies.length) this.svg.remove();
     this.marks.redraw();
@@ -300,12 +303,13 @@ export class Predictions {
   draw(seen) {
     const { plan, on } = seen;
     const tips = tipsOf(plan, this.asked);
+    const isBare = this.bodies.length > FEW_OUTLINES && tips.every((mass) => this.asked.includes(mass));
     this.bodies.forEach((places, i) => {
       const discs = tips.filter((mass) => places[mass]).map((mass) => {
         const [x, y] = places[mass], r = Math.max(plan.radius[mass] * on.step, LEAST_DISC);
         return `M${(on.x + x * on.step - r).toFixed(1)} ${(on.y - y * on.step).toFixed(1)}a${r} ${r} 0 1 0 ${2 * r} 0a${r} ${r} 0 1 0 ${-2 * r} 0`;
       });
-      set(this.svg.children[i], { d: outline(places, seen) + discs.join("") });
+      set(this.svg.children[i], { d: (isBare ? "" : outline(places, seen)) + discs.join("") });
     });
   }
 }

@@ -27,7 +27,7 @@ from ...ui.commands import text_of
 from ...ui.kept import keeping
 from ...ui.page import Page
 from ...ui.viser.handlers import on_press
-from ...words import say
+from ...words import quoted, say
 
 TEXT = '<div class="softrod-text">{}</div>'
 
@@ -78,18 +78,22 @@ class FilesPanel:
             self._notify(Notice("error", say("files-failed"), str(error)))
 
     def _save(self) -> None:
-        name = files.safe_name(self._name.value)
+        typed = self._name.value.strip()
+        name = files.safe_name(typed)
         scene = self._session.snapshot(name, self._with_pose.value)
         if files.user_path(name, self._shelf.folder).exists():
-            self._confirm(say("files-replace", name=repr(name)), lambda: self._write(scene, name))
+            self._confirm(say("files-replace", name=quoted(name)), lambda: self._write(scene, name, typed))
         else:
-            self._write(scene, name)
+            self._write(scene, name, typed)
 
-    def _write(self, scene: sim.Scene, name: str) -> None:
+    def _write(self, scene: sim.Scene, name: str, typed: str) -> None:
         name = self._shelf.save(scene, name)
         if self._session.replay is None:  # which an edit would end
             self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, name)))
-        self._notify(Notice("info", say("files-saved"), say("files-saved.text", name=repr(name))))
+        said = say("files-saved.text", name=quoted(name))
+        if name != typed.removesuffix(".json"):
+            said = say("files-saved.other", name=quoted(name), typed=quoted(typed))
+        self._notify(Notice("info", say("files-saved"), said))
 
     def _download(self) -> None:
         scene = self._session.snapshot(self._session.scene.name, self._with_pose.value)

@@ -20,7 +20,7 @@ from sim.store.files import read_scene
 from ...session import commands
 from ...session.notices import Notice
 from ...ui.page import Page
-from ...words import say
+from ...words import quoted, say
 from ...words.english import of
 from . import thumbnails
 from .entries import entries
@@ -73,7 +73,7 @@ class Gallery:
         """A listed scene, since a name could be the path of any file; if it cannot be read, say so."""
         try:
             if (info := self._shelf.find(name)) is None:
-                raise SceneError(say("gallery-gone", name=repr(name)))
+                raise SceneError(say("gallery-gone", name=quoted(name)))
             return read_scene(info.path)
         except SceneError as error:
             self._notify(Notice("error", failure, str(error)))
@@ -130,15 +130,15 @@ class Gallery:
                     used = own_scenes.rename_user_scene(ask.name, ask.to, folder)
                     if self._session.scene.name == ask.name:
                         self._session.post(commands.Change(lambda moment, _: renamed(moment.scene, used)))
-                    said = say("gallery-renamed", name=repr(used))
+                    said = say("gallery-renamed", name=quoted(used))
                 case "duplicate":
-                    said = say("gallery-copied", name=repr(self._shelf.duplicate(ask.name)))
+                    said = say("gallery-copied", name=quoted(self._shelf.duplicate(ask.name)))
                 case "delete":
                     trashed = own_scenes.trash_user_scene(ask.name, folder)
-                    said = say("gallery-deleted", name=repr(ask.name))
+                    said = say("gallery-deleted", name=quoted(ask.name))
                 case "restore":
                     restored = own_scenes.restore_user_scene(ask.name, folder)
-                    said = say("gallery-restored", name=repr(restored))
+                    said = say("gallery-restored", name=quoted(restored))
         except SceneError as error:
             said = of(str(error))
         self._mail.send(SceneChanged(text=said, undo=trashed))

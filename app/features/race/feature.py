@@ -21,7 +21,7 @@ from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
 from ...ui.opening import asked_scene
 from ...ui.page import Page
-from ...words import say
+from ...words import quoted, say
 from ...words.english import name_of, refusal
 from .messages import Race, RaceAnswer
 from .rivals import Rivals
@@ -128,7 +128,7 @@ class RaceFeature(Feature):
         # Only what is listed: a name could be the path of any file.
         info = self.page.shelf.find(text)
         if info is None:
-            raise SceneError(say("race-unknown", text=repr(text[:80])))
+            raise SceneError(say("race-unknown", text=quoted(text[:80])))
         return read_scene(info.path)
 
     def frame(self, drawn: Drawn) -> None:

@@ -148,8 +148,29 @@ export class Picture {
     return { positions: this.frame ? this.frame.positions : new Float32Array(), velocities: new Float32Array(), masses: this.plan ? this.plan.radius.length : 0 };
   }
 
+  /** A strip of the canvas that is kept free of the body: its side, and its part of the canvas. @type {{side: "" | "right" | "top", part: number}} */
+  #strip = { side: "", part: 0 };
+
+  /** Keeps a strip of the canvas free of the body. @param {"" | "right" | "top"} side @param {number} part of the canvas */
+  reserve(side, part) {
+    if (side === this.#strip.side && part === this.#strip.part) return;
+    this.#strip = { side, part };
+    this.redraw();
+  }
+
+  /** What is shown of the world, with the strip. @returns {Box} */
+  get #shown() {
+    const [left, right, low, high] = this.#box, { side, part } = this.#strip;
+    if (!side) return this.#box;
+    const { clientWidth, clientHeight } = this.canvas;
+    const [width, height] = side === "right" ? [clientWidth * (1 - part), clientHeight] : [clientWidth, clientHeight * (1 - part)];
+    const unit = Math.max((right - left) / width, (high - low) / height);
+    const x = (left + right - unit * width) / 2, y = (low + high - unit * height) / 2;
+    return [x, x + unit * clientWidth, y, y + unit * clientHeight];
+  }
+
   get #stage() {
-    return { size: this.size, box: this.#box, springs: this.#springs, meshes: this.shapes.meshes };
+    return { size: this.size, box: this.#shown, springs: this.#springs, meshes: this.shapes.meshes };
   }
 
   /** Size of the scene's frame, px. */

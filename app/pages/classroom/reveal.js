@@ -10,21 +10,45 @@ import { say } from "../../words/words.js";
 /** @typedef {import("../../features/classroom/prediction.js").Place} Place */
 /** @typedef {import("./picture.js").Seen} Seen */
 
-/** Radius of a dot, and the room for one, px. */
-const DOT = 12;
+/** Part of the canvas beside the body that has the dots and the texts. */
+const STRIP = 0.32;
+/** Room for a dot, px, at most and at least: it is smaller where many are in a row. */
 const ROOM = 28;
-/** Pixels from a mass to its lines, their length, and from the whole body to the dots. */
-const BESIDE = 18;
-const LINE = 120;
-const BESIDE_ALL = 60;
-/** What stands at the foot of the canvas, px. */
-const FOOT = 90;
+const LEAST_ROOM = 8;
+/** Radius of a dot, as a part of its room. */
+const DOT = 0.43;
+/** Pixels from a mass to its lines, and from the axis to the arrow. */
+const BESIDE = 8;
+const ARROW = 18;
+/** The head of the arrow, px. */
+const HEAD = [9, 12];
 /** Displacement below which a body has stayed where it was, px on the screen. */
 const STAYED = 12;
-/** Room for a text, px. */
-const TEXT = 220;
-/** Half the height of a letter, px. */
-const HALF = 9;
+/** What stands at the upper edge of the canvas, the scale bar, px; and the distance of texts from an edge. */
+const TOP = 60;
+const EDGE = 14;
+
+/** @typedef {{x: number, y: number}} Point on the canvas, px */
+
+/**
+ * Puts places into bins along the axis, so narrow that the longest row of dots fits.
+ *
+ * @param {number[]} along where each is, px @param {number} room for a row, px
+ */
+export function rows(along, room) {
+  let size = ROOM;
+  for (;;) {
+    /** @type {Map<number, number>} */
+    const bins = new Map();
+    const dots = along.map((at) => {
+      const bin = Math.round(at / size), count = bins.get(bin) || 0;
+      bins.set(bin, count + 1);
+      return { at: bin * size, count };
+    });
+    if (size <= LEAST_ROOM || size * Math.max(0, ...bins.values()) <= room) return { size, dots };
+    size -= 1;
+  }
+}
 
 export class Reveal {
   svg = makeSvg("svg", "softrod-marks softrod-reveal");
@@ -49,7 +73,10 @@ export class Reveal {
     this.#unit = unit;
     this.#asked = asked;
     if (start.length && !this.svg.parentNode) this.picture.insert(this.svg);
-    if (!start.length) this.svg.remove();
+    if (!start.length) {
+      this.svg.remove();
+      this.picture.reserve("", 0);
+    }
     this.picture.redraw();
   }
 
@@ -67,66 +94,53 @@ export class Reveal {
     });
     const most = gone.reduce((best, one) => (one.far > best.far ? one : best), gone[0]);
     if (!most) return;
-    if (most.far > STAYED) this.#lines(most, plan, on.step);
-    this.#dots(most, plan.radius[most.mass] * on.step, places, at);
-  }
-
-  /** How far the mass has gone that went farthest. @param {{mass: number, from: {x: number, y: number}, to: {x: number, y: number}, far: number}} gone @param {Seen["plan"]} plan @param {number} step */
-  #lines({ mass, from, to, far }, plan, step) {
+    const { mass, from, to, far } = most;
     const isUpright = Math.abs(to.y - from.y) >= Math.abs(to.x - from.x);
-    const r = plan.radius[mass] * step + BESIDE;
-    const by = isUpright ? to.y - from.y : to.x - from.x, length = Math.sign(by) * (far / step / plan.scale);
-    const text = isUpright ? movedText(0, length, this.#unit) : movedText(length, 0, this.#unit);
-    // Left of it, where there is no room at the right.
-    const right = Math.max(from.x, to.x) + r, isLeft = isUpright && right + LINE + TEXT > this.picture.canvas.clientWidth;
-    const x = isLeft ? Math.min(from.x, to.x) - r - LINE : right, y = Math.min(from.y, to.y) - r;
-    const [before, after, arrow] = isUpright
-      ? [`M${x} ${from.y}h${LINE}`, `M${x} ${to.y}h${LINE}`, `M${x + LINE / 2} ${from.y}V${to.y}m-9 ${-12 * Math.sign(by)}l9 ${12 * Math.sign(by)} 9 ${-12 * Math.sign(by)}`]
-      : [`M${from.x} ${y}v${-LINE}`, `M${to.x} ${y}v${-LINE}`, `M${from.x} ${y - LINE / 2}H${to.x}m${-12 * Math.sign(by)} -9l${12 * Math.sign(by)} 9 ${-12 * Math.sign(by)} 9`];
-    set(makeSvg("path", "softrod-reveal-before", this.svg), { d: before });
-    set(makeSvg("path", "softrod-reveal-arrow", this.svg), { d: arrow });
-    set(makeSvg("path", "softrod-reveal-after", this.svg), { d: after });
-    const label = makeSvg("text", "softrod-reveal-far", this.svg);
-    if (isLeft) set(label, { "text-anchor": "end" });
-    set(label, isUpright ? { x: isLeft ? x - 10 : x + LINE + 10, y: to.y + HALF } : { x: Math.max(from.x, to.x) + 10, y: y - LINE / 2 + HALF });
-    label.textContent = text;
-  }
-
-  /**
-   * A dot for each prediction, where its mass was put: in rows beside the body, or in columns below it, if it went to the side.
-   *
-   * @param {{mass: number, from: {x: number, y: number}, to: {x: number, y: number}}} gone @param {number} radius of the mass, px
-   * @param {Float64Array} places of all masses, px @param {(place: Place) => {x: number, y: number}} at
-   */
-  #dots({ mass, from, to }, radius, places, at) {
-    const put = this.#bodies.filter((one) => one[mass]).map((one) => at(one[mass]));
-    if (!put.length) return;
-    const isUpright = Math.abs(to.y - from.y) >= Math.abs(to.x - from.x);
-    /** @param {{x: number, y: number}} place */
-    const along = ({ x, y }) => (isUpright ? y : x);
-    /** @type {Map<number, number>} */
-    const bins = new Map();
-    const dots = put.map((place) => {
-      const bin = Math.round(along(place) / ROOM), count = bins.get(bin) || 0;
-      bins.set(bin, count + 1);
-      return { bin, count, isRight: Math.abs(along(place) - along(to)) <= Math.max(radius, ROOM / 2) };
-    });
+    this.picture.reserve(isUpright ? "right" : "top", STRIP);
     const { clientWidth, clientHeight } = this.picture.canvas;
-    const longest = ROOM * Math.max(...bins.values()), [first, last] = [Math.min(...bins.keys()) * ROOM, Math.max(...bins.keys()) * ROOM];
-    const edge = Array.from(places).filter((_, i) => i % 2 === Number(!isUpright));
-    // Beside all of the body and its lines, as far as there is room.
-    const line = isUpright ? to.x + radius + BESIDE + LINE + TEXT : 0;
-    const beside = Math.max(line <= clientWidth ? line : 0, ...edge) + BESIDE_ALL;
-    const room = isUpright ? clientWidth - Math.max(TEXT, longest) : clientHeight - longest - FOOT;
-    const begin = Math.max(Math.min(beside, room), 2 * ROOM);
-    for (const { bin, count, isRight } of dots) {
-      const [cx, cy] = isUpright ? [begin + ROOM * count, bin * ROOM] : [bin * ROOM, begin + ROOM * count];
-      set(makeSvg("circle", isRight ? "softrod-reveal-right" : "softrod-reveal-dot", this.svg), { cx, cy, r: DOT });
-    }
-    const axis = isUpright ? `M${begin - ROOM} ${first - ROOM}V${last + ROOM}` : `M${first - ROOM} ${begin - ROOM}H${last + ROOM}`;
-    set(makeSvg("path", "softrod-reveal-axis", this.svg), { d: axis });
-    const title = makeSvg("text", "softrod-reveal-title", this.svg);
-    set(title, isUpright ? { x: begin - ROOM, y: first - 2 * ROOM + HALF } : { x: last + 2 * ROOM, y: begin - ROOM + HALF });
-    title.textContent = say("class-where-put");
+    const axis = isUpright ? clientWidth * (1 - STRIP) : clientHeight * STRIP;
+    const letters = parseFloat(getComputedStyle(this.svg).fontSize);
+    const put = this.#bodies.filter((one) => one[mass]).map((one) => at(one[mass]));
+    const room = isUpright ? clientWidth - axis - ROOM : axis - TOP - 3 * letters;
+    const { size, dots } = rows(put.map(({ x, y }) => (isUpright ? y : x)), room);
+    if (far > STAYED) this.#lines(from, to, plan.radius[mass] * on.step + BESIDE, isUpright, axis);
+    const near = Math.max(plan.radius[mass] * on.step, ROOM / 2), goal = isUpright ? to.y : to.x;
+    put.forEach((place, i) => {
+      const isRight = Math.abs((isUpright ? place.y : place.x) - goal) <= near;
+      const away = (isUpright ? 1 : -1) * (0.5 * ROOM + size * dots[i].count + 0.5 * size);
+      const [cx, cy] = isUpright ? [axis + away, dots[i].at] : [dots[i].at, axis + away];
+      set(makeSvg("circle", isRight ? "softrod-reveal-right" : "softrod-reveal-dot", this.svg), { cx, cy, r: DOT * size });
+    });
+    const ends = [...dots.map((dot) => dot.at), isUpright ? from.y : from.x, goal];
+    const [first, last] = [Math.min(...ends) - size, Math.max(...ends) + size];
+    set(makeSvg("path", "softrod-reveal-axis", this.svg), { d: isUpright ? `M${axis} ${first}V${last}` : `M${first} ${axis}H${last}` });
+    const length = Math.sign(goal - (isUpright ? from.y : from.x)) * (far / on.step / plan.scale);
+    const told = isUpright ? movedText(0, length, this.#unit) : movedText(length, 0, this.#unit);
+    /** @param {number} y */
+    const inside = (y) => Math.min(Math.max(y, TOP + letters), clientHeight - EDGE);
+    // Beside the dots, where the body went to; the title at the other end.
+    const before = inside(first - 0.5 * letters), after = inside(last + letters);
+    const [title, result] = length < 0 ? [after, before] : [before, after];
+    if (put.length) this.#text("softrod-reveal-title", say("class-where-put"), isUpright ? axis + EDGE : EDGE, isUpright ? title : TOP);
+    if (far > STAYED) this.#text("softrod-reveal-far", told, isUpright ? axis + EDGE : to.x, isUpright ? result : TOP + 1.5 * letters, !isUpright);
+  }
+
+  /** How far a mass has gone. @param {Point} from @param {Point} to @param {number} r from its middle to the lines, px @param {boolean} isUpright @param {number} axis where the lines end, px */
+  #lines(from, to, r, isUpright, axis) {
+    const by = Math.sign(isUpright ? to.y - from.y : to.x - from.x), [wide, long] = HEAD, at = isUpright ? axis - ARROW : axis + ARROW;
+    const [before, after, arrow] = isUpright
+      ? [`M${from.x + r} ${from.y}H${axis}`, `M${to.x + r} ${to.y}H${axis}`, `M${at} ${from.y}V${to.y}m${-wide} ${-long * by}l${wide} ${long * by} ${wide} ${-long * by}`]
+      : [`M${from.x} ${from.y - r}V${axis}`, `M${to.x} ${to.y - r}V${axis}`, `M${from.x} ${at}H${to.x}m${-long * by} ${-wide}l${long * by} ${wide} ${-long * by} ${wide}`];
+    set(makeSvg("path", "softrod-reveal-before", this.svg), { d: before });
+    set(makeSvg("path", "softrod-reveal-after", this.svg), { d: after });
+    set(makeSvg("path", "softrod-reveal-arrow", this.svg), { d: arrow });
+  }
+
+  /** A text that stays on the canvas. @param {string} name of its class @param {string} text @param {number} x @param {number} y @param {boolean} [isCentred] */
+  #text(name, text, x, y, isCentred) {
+    const label = makeSvg("text", name, this.svg);
+    label.textContent = text;
+    const wide = label.getComputedTextLength(), most = this.picture.canvas.clientWidth - EDGE - wide;
+    set(label, { x: Math.max(EDGE, Math.min(isCentred ? x - wide / 2 : x, most)), y });
   }
 }

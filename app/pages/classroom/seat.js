@@ -45,6 +45,8 @@ let twin = 0;
 /** A line that is being typed. */
 let typed = "";
 let refusal = "";
+/** The step whose prediction was handed in by the page, as the answers were shown. */
+let handedIn = -1;
 /** The phase for which the focus has been moved. */
 let focusedPhase = "";
 /** @type {Card} */
@@ -95,6 +97,7 @@ export function addSeat(picture) {
   let hasMoved = false;
   onMessage("pageState", () => defer(show));
   onMessage("seat", (told) => {
+    if (seat) handInMoved(seat, told);
     if (told.asking?.stop !== seat?.asking?.stop || told.asking?.phase !== seat?.asking?.phase) {
       twin = 0;
       typed = refusal = "";
@@ -147,6 +150,15 @@ function mine(asking, kind) {
   if (late) return { choice: "choice" in late ? late.choice : -1, text: "text" in late ? late.text : "", sent: false, late: false };
   const had = seat?.given.find((one) => one.kind === kind.toLowerCase() && isSamePlace(one, at));
   return had && { choice: had.choice, text: had.text, sent: true, late: had.late };
+}
+
+/** Hands in what was dragged and not handed in, once the class is no longer asked. @param {Seat} before @param {Seat} now */
+function handInMoved({ asking, home }, now) {
+  if (!asking || asking.phase !== "ask" || home || now.elsewhere || !now.asking || !prediction.moved) return;
+  if (now.asking.phase === "ask" && now.asking.stop === asking.stop) return;
+  // One that was handed in before stays; the server says so.
+  if (!mine(asking, "Prediction")) handedIn = asking.stop;
+  give({ do: "givePrediction", ...place(asking), points: prediction.points() });
 }
 
 /** @param {Pick<Asking, "stop" | "round">} asking */
@@ -217,6 +229,7 @@ function partsOf(seat) {
     make("p", "softrod-task", sentence(seat, asking)),
     ...(seat.on_wall ? [make("p", "softrod-on-wall", say("seat-on-wall"))] : []),
     ...body(seat, asking),
+    ...(TOLD.has(asking.phase) && handedIn === asking.stop ? [make("p", "softrod-handed", say("seat-handed-moved"))] : []),
     ...(refusal ? [make("p", "softrod-warning", refusal)] : []),
   ];
 }

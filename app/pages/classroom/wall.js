@@ -24,6 +24,10 @@ const WAITS = /** @type {const} */ ({ ask: "class-answered", explain: "class-wro
 const DOING = { trying: "wall-trying", exploded: "wall-exploded", untouched: "wall-untouched", "at the goal": "wall-at-goal" };
 /** Letters of an answer that stands as large as a number. */
 const SHORT = 9;
+/** How many lines as high as its letters the wall has: the first of these with which all that stands at its side is seen. */
+const LINES = [22, 24, 26, 28, 30, 32, 34, 36, 40, 44];
+/** Width of a slide by its height. */
+const SLIDE = 16 / 9;
 /** Most pupils who have a ring each that fills when they have answered. */
 const MAX_RINGS = 40;
 
@@ -73,9 +77,21 @@ export function addWall(picture) {
     }
     if (phase === "run") parts.push(bench.plots);
     side.replaceChildren(...parts);
+    fit(0);
     corner.replaceChildren(...wayIn(wall));
     draw();
   };
+  let lines = 0;
+  /** Makes the letters at the side as large as there is room for. @param {number} first of `LINES` */
+  const fit = (first) => {
+    for (lines = first; lines < LINES.length; lines++) {
+      side.style.fontSize = `${Math.min(innerHeight, innerWidth / SLIDE) / LINES[lines]}px`;
+      if (side.scrollHeight <= side.clientHeight && side.scrollWidth <= side.clientWidth) return;
+    }
+  };
+  addEventListener("resize", () => fit(0));
+  // Readings that have become longer; letters do not grow again while they change.
+  new ResizeObserver(() => fit(lines)).observe(bench.plots);
   setTimeout(() => {
     hasWaited = true;
     show();
@@ -136,7 +152,11 @@ function content(wall) {
     if (asked) parts.push(make("h2", "", asked));
     if (phase === "run" && runs) parts.push(make("p", "softrod-wall-given", say("wall-now", { runs })));
     if (predict > 0) parts.push(make(asked ? "p" : "h2", "", say("wall-where", { seconds: String(predict) })));
-    if (question) parts.push(voteBars(choices, phase === "ask" ? [] : bars, -1));
+    if (question) {
+      const voted = voteBars(choices, phase === "ask" ? [] : bars, -1);
+      voted.style.setProperty("--softrod-letters", String(Math.max(...choices.map((choice) => choice.length))));
+      parts.push(voted);
+    }
   }
   if (phase === "reveal") {
     if (right >= 0) parts.push(make("p", choices[right].length <= SHORT ? "softrod-wall-number" : "softrod-wall-number softrod-long", choices[right]));

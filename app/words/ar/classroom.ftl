@@ -33,7 +33,7 @@ class-moved =
   .higher = { $length } إلى الأعلى
   .left = { $length } إلى اليسار
   .right = { $length } إلى اليمين
-class-where-put = حيث وضعته
+class-where-put = توقعاتكم
 
 seat-region = الحصة
 seat-nothing-kept = لا يُحفظ هنا شيء مما قدّمته.
@@ -98,6 +98,7 @@ seat-predict = سيكون هناك
   .place = تسليم { $place }
 seat-predicted = سُلّم توقعك
   .place = سُلّم توقعك: { $place }
+seat-handed-moved = عُرضت الإجابات: سُلِّم توقعك كما حرّكته.
 seat-step-left = قليلًا إلى اليسار
 seat-step-right = قليلًا إلى اليمين
 seat-step-up = قليلًا إلى الأعلى

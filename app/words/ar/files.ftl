@@ -12,6 +12,7 @@ files-replace = هل تريد استبدال المشهد المحفوظ { $name
     .no = إلغاء
 files-saved = تم الحفظ
     .text = حُفظ المشهد باسم { $name }.
+    .other = حُفظ المشهد باسم { $name }: لا يمكن أن يكون { $typed } اسم ملف.
 files-failed = لم ينجح ذلك
     .error = حدث خطأ في الخادم.
 files-one = واحدًا بعد الآخر

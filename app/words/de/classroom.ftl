@@ -40,7 +40,7 @@ seat-come-back = Hierher zurückholen
 seat-who = Wer bist du? Gib deinen Namen ein, damit deine Lehrkraft weiß, wessen Antworten das sind.
 seat-your-name = Dein Name
 seat-name-me = Das bin ich
-seat-on-wall = Deins ist jetzt auf der Leinwand.
+seat-on-wall = Deiner ist jetzt auf der Leinwand.
 seat-follow = Zum Körper der Lehrkraft
 seat-own-body = Zurück zu meinem Körper
 seat-about = Dieser Platz
@@ -89,6 +89,7 @@ seat-predict = Dort wird er sein
   .place = Abgeben: { $place }
 seat-predicted = Deine Vorhersage ist abgegeben
   .place = Deine Vorhersage ist abgegeben: { $place }
+seat-handed-moved = Die Antworten werden gezeigt: Deine Vorhersage ist so abgegeben, wie du sie gezogen hattest.
 seat-step-left = Ein wenig nach links
 seat-step-right = Ein wenig nach rechts
 seat-step-up = Ein wenig nach oben
@@ -107,7 +108,7 @@ seat-no-reading = Noch nichts abzulesen: Lass ihn sich eine Weile bewegen.
 seat-hand-in = { $reading } abgeben
   .instead = Stattdessen { $reading } abgeben
 seat-hand-in-it = Abgeben
-  .instead = Stattdessen das abgeben
+  .instead = Stattdessen dies abgeben
 seat-hand-in-run = Diesen Lauf abgeben
   .instead = Stattdessen diesen Lauf abgeben
 seat-handed = { $late ->
@@ -123,18 +124,18 @@ seat-first = Nummer eins von euch
 seat-second = Nummer zwei von euch
 seat-another-name = Anderer Name
 seat-two = Wir sind zu zweit
-seat-move = Auf einem anderen Gerät weitermachen
+seat-move = An einem anderen Gerät weitermachen
 seat-move-digits = Am anderen Gerät { $digits } eingeben
-seat-had = Ich hatte einen Platz auf einem anderen Gerät: seine zwei Ziffern
+seat-had = Ich hatte meinen Platz an einem anderen Gerät. Seine zwei Ziffern:
 seat-take-over = Übernehmen
 
 ## Was die Lehrkraft in jeder Phase der Klasse sagt und (.do) tut.
 
-guide-lobby = Öffnet die Adresse auf der Leinwand und gebt die vier Buchstaben ein.
-  .do = Bringen Sie die Leinwandseite auf den Projektor. Weiter geht es, wenn alle da sind.
+guide-lobby = Öffnet die Adresse, die auf der Leinwand steht, und gebt die vier Buchstaben ein.
+  .do = Zeigen Sie die Leinwand-Seite mit dem Beamer. Weiter geht es, wenn alle da sind.
 guide-show = Seht euch den Körper an: Was hält ihn, und was zieht an ihm?
-  .before = Zeigen Sie auf die Teile. Drücken Sie noch nicht auf Start: Erst kommt die Frage, dann läuft es.
-  .do = Zeigen Sie auf die Teile. Lassen Sie ihn mit Start los: Wonach die Frage fragt, kommt erst später.
+  .before = Zeigen Sie auf die Teile. Drücken Sie noch nicht auf „Start“: Erst kommt die Frage, dann der Lauf.
+  .do = Zeigen Sie auf die Teile. Lassen Sie ihn mit „Start“ los: Wonach gefragt wird, kommt erst später.
 guide-drag = Zieht den blassen Körper dorthin, wo er { $seconds } s nach dem Start sein wird.
 guide-ask = Warten Sie, bis alle geantwortet haben. Sagen Sie nicht, was richtig ist.
 guide-again = Überzeugt eine Minute lang eure Nachbarn. Dann antwortet noch einmal.
@@ -154,37 +155,37 @@ guide-explain = Versehen Sie zwei Antworten mit einem Stern: Sie kommen in der n
 guide-try = Gehen Sie herum. Wer sich meldet, ist rechts zu sehen.
 guide-collect = Gebt ab: { $collects }.
 guide-plot = Wenn die meisten abgegeben haben, sehen Sie sich gemeinsam das Diagramm der Klasse an: Was sagt es? Drücken Sie auf „Gesetz zeigen“, falls es das gibt.
-guide-collected = Wenn die meisten abgegeben haben, bringen Sie eines davon auf die Leinwand.
+guide-collected = Wenn die meisten abgegeben haben, zeigen Sie eines davon auf der Leinwand.
 
 ## Was der Server einer Seite der Klasse sagt.
 
 class-refuse-together = Die Klasse geht gemeinsam weiter.
-class-refuse-no-home-step = Diesen Schritt hat die Hausaufgabe nicht.
-class-refuse-no-place = Diese Stelle hat die Stunde nicht.
+class-refuse-no-home-step = Diesen Schritt gibt es in der Hausaufgabe nicht.
+class-refuse-no-place = Diese Stelle gibt es in der Stunde nicht.
 class-refuse-sealed = Niemand sieht die Antworten, bevor alle gezeigt werden.
 class-refuse-no-bodies = Die Plätze haben gerade keine eigenen Körper.
 class-refuse-gathered = Alle sehen gerade den Körper der Lehrkraft.
 class-refuse-begun = Die Stunde hat begonnen: Ihre Lektion lässt sich nicht mehr wählen.
 class-refuse-steps = Eine Stunde hat höchstens { $most } Schritte; diese Szene hat { $steps }.
 class-refuse-closed = Die Stunde hat begonnen; bitte deine Lehrkraft, die Tür zu öffnen.
-class-refuse-network = Dein Netz hat { $seats } Plätze, mehr bekommt keines; deine Lehrkraft kann welche entfernen.
+class-refuse-network = Aus deinem Netz sind schon { $seats } Plätze belegt, mehr gibt es für ein Netz nicht; deine Lehrkraft kann welche entfernen.
 class-refuse-removed = Die Lehrkraft hat diesen Platz geschlossen.
 class-refuse-full = Die Klasse ist voll: Sie hat { $seats } Plätze.
 class-refuse-names = In dieser Klasse werden die Namen vergeben.
 class-refuse-no-name = Ein Name braucht mindestens einen Buchstaben.
 class-refuse-same-name = Diesen Namen hat schon jemand.
-class-refuse-digits = Diese Zahl hat gerade kein Platz.
+class-refuse-digits = Zu diesen Ziffern gehört gerade kein Platz.
 class-refuse-own-answers = Dieses Gerät hat schon einen Platz mit eigenen Antworten.
 class-refuse-not-yours = Diese Antwort ist von jemand anderem.
 class-refuse-one = Hier sitzt nur eine Person.
-class-refuse-no-step = Diesen Schritt hat die Stunde nicht.
+class-refuse-no-step = Diesen Schritt gibt es in der Stunde nicht.
 class-refuse-not-asked = Danach ist die Klasse nicht gefragt worden.
 class-refuse-has-run = Du hast es laufen sehen: Deine erste Antwort zählt.
 class-refuse-shown = Die Antworten sind gezeigt worden; deine bleibt, wie sie war.
 class-refuse-answers = Ein Platz kann { $most } Antworten abgeben.
 class-refuse-no-seat = Diesen Platz gibt es nicht.
 class-refuse-no-answer = Diese Antwort gibt es nicht.
-class-refuse-no-choice = Diese Antwortmöglichkeit hat die Frage nicht.
+class-refuse-no-choice = Diese Antwortmöglichkeit gibt es bei der Frage nicht.
 class-refuse-no-such-place = Das ist keine Lage für diesen Körper.
 class-refuse-no-letter = Ein Satz braucht mindestens einen Buchstaben.
 class-at-goal = Ziel erreicht
@@ -212,7 +213,7 @@ class-told-at = { $day }. { $month ->
    *[12] Dezember
   } um { $time } Uhr
 
-## Die Leinwand: was alle auf dem Projektor sehen.
+## Die Leinwand: was alle mit dem Beamer sehen.
 
 class-answered = { $done } von { $all } haben geantwortet
 class-wrote = { $done } von { $all } haben einen Satz geschrieben
@@ -233,18 +234,21 @@ wall-trying = { $count ->
    *[other] probieren
   }
 wall-exploded = { $count ->
-   *[other] explodiert
+    [one] ist explodiert
+   *[other] sind explodiert
   }
 wall-untouched = { $count ->
-   *[other] unberührt
+    [one] hat noch nichts verändert
+   *[other] haben noch nichts verändert
   }
 wall-at-goal = { $count ->
-   *[other] am Ziel
+    [one] ist am Ziel
+   *[other] sind am Ziel
   }
 
 ## Die Seite der Lehrkraft.
 
-desk-lead = Was zu sagen und zu tun ist
+desk-lead = Was Sie sagen und tun
 desk-room = Die Klasse
 desk-over = Die Stunde ist zu Ende
 desk-nothing-kept = Nichts, was abgegeben wurde, bleibt auf diesem Rechner gespeichert.
@@ -260,7 +264,7 @@ desk-more = Mehr
 desk-come-in = Wie die Klasse hereinkommt
 
 desk-lobby = Hereinkommen
-desk-show = Zu mir sehen
+desk-show = Alle zu mir schauen
 desk-ask = Fragen
   .again = Noch einmal fragen
 desk-results = Antworten zeigen
@@ -290,7 +294,7 @@ desk-on = { $part } % richtig: weitergehen.
   .some = { $part } % richtig von den { $votes }, die geantwortet haben: weitergehen.
 desk-replay = Noch einmal, langsam
   .now = Langsam, von Anfang an …
-desk-gather = Alle sehen meinen
+desk-gather = Allen meinen zeigen
 desk-pause = Alle anhalten
 desk-reset = Alle zurücksetzen
 desk-give-mine = Allen meinen geben
@@ -329,8 +333,8 @@ desk-finds-nothing = Wenn ein Handy unter dieser Adresse nichts findet, hält da
 desk-tried-in-vain = Ein Gerät: Es kann nicht teilnehmen; es sagt, warum.
 desk-tried = Ein Gerät: in Ordnung, { $ms } ms, { $rate } Bilder in der Sekunde
 desk-tried-doubts = Ein Gerät: geht und sagt, was zu beachten ist, { $ms } ms, { $rate } Bilder in der Sekunde
-desk-projector = Die Leinwandseite auf den Projektor bringen
-desk-open-wall = Leinwandseite öffnen
+desk-projector = Die Leinwand-Seite mit dem Beamer zeigen
+desk-open-wall = Leinwand-Seite öffnen
 desk-way-in = Das zeigt auch die Leinwand, groß: So kommt die Klasse herein.
 
 desk-files = Antworten aus Dateien
@@ -366,20 +370,20 @@ desk-count-exploded = { $count ->
    *[other] sind explodiert
   }
 desk-count-idle = { $count ->
-    [one] hat nichts verändert
-   *[other] haben nichts verändert
+    [one] hat noch nichts verändert
+   *[other] haben noch nichts verändert
   }
 
 desk-chose = Was gewählt wurde
-  .now = Was bisher gewählt ist
+  .now = Was bisher gewählt wurde
 desk-sealed = nur Sie sehen das
 desk-most = { $count ->
-    [one] Eine Wahl fiel auf „{ $choice }“: Fragen Sie nach, warum.
+    [one] Eine Person hat „{ $choice }“ gewählt: Fragen Sie nach, warum.
    *[other] { $count } haben „{ $choice }“ gewählt: Fragen Sie nach, warum.
   }
 desk-predicted = { $count } haben eine Vorhersage gezogen.
   .some = { $count } von { $all } haben eine Vorhersage gezogen.
-desk-found = Was bisher gefunden ist
+desk-found = Was bisher gefunden wurde
 
 desk-who = Wer da ist
 desk-who-away = { $here }; { $away } weg
@@ -387,10 +391,10 @@ desk-nobody = Noch niemand.
 desk-name-two = { $name } (zwei)
 desk-two = zwei
 desk-away = weg
-desk-follows = sieht Ihren
+desk-follows = sieht Ihren Körper
 desk-done = { $done } von { $steps } Schritten
 desk-moving = in Bewegung
-desk-untouched = unberührt
+desk-untouched = noch nichts verändert
 desk-at-rest = in Ruhe
 desk-paused = angehalten
 desk-exploded = explodiert
@@ -438,7 +442,7 @@ desk-goes-on = Ihr Ordner { $folder } lässt sich nicht löschen: { $reason }.
 class-refuse-no-body = Dieser Platz hat gerade keinen eigenen Körper.
 class-refuse-no-replay = Es gibt keinen Lauf, der noch einmal zu sehen wäre.
 class-refuse-replay-broken = Der Lauf lässt sich nicht noch einmal zeigen: { $reason }.
-class-refuse-classes = Ein Server trägt höchstens { $most } Klassen.
+class-refuse-classes = Auf einem Server ist Platz für höchstens { $most } Klassen.
 class-refuse-scenes = Eine Stunde hat höchstens { $most } Schritte; diese Szenen haben { $steps }.
 class-refuse-no-code = Das ist kein Code von Antworten: Er beginnt mit SR1 und hat Buchstaben und Ziffern.
 class-refuse-no-file = Diese Datei enthält keine Antworten zu einer Lektion.

@@ -12,6 +12,7 @@ files-replace = Die gespeicherte Szene { $name } ersetzen?
     .no = Abbrechen
 files-saved = Gespeichert
     .text = Die Szene ist als { $name } gespeichert.
+    .other = Die Szene ist als { $name } gespeichert: { $typed } kann keine Datei heißen.
 files-failed = Das hat nicht geklappt
     .error = Auf dem Server gab es einen Fehler.
 files-one = Eins nach dem anderen

@@ -103,6 +103,7 @@ seat-predict = It will be there
 seat-predicted = Your prediction is in
   .place = Your prediction is in: { $place }
 # Buttons that move it.
+seat-handed-moved = The answers are shown: your prediction was handed in as you had moved it.
 seat-step-left = A little to the left
 seat-step-right = A little to the right
 seat-step-up = A little up

@@ -15,6 +15,7 @@ files-replace = Replace the saved scene { $name }?
     .no = Cancel
 files-saved = Saved
     .text = The scene is saved as { $name }.
+    .other = The scene is saved as { $name }: the name of a file cannot be { $typed }.
 # Titles of notices, and what they say.
 files-failed = That did not work
     .error = There was an error on the server.

@@ -25,7 +25,7 @@ class-moved =
   .higher = { $length } más arriba
   .left = { $length } a la izquierda
   .right = { $length } a la derecha
-class-where-put = dónde lo puso cada cual
+class-where-put = vuestras predicciones
 
 ## La página del alumnado.
 
@@ -89,6 +89,7 @@ seat-predict = Estará ahí
   .place = Entregar: { $place }
 seat-predicted = Tu predicción está entregada
   .place = Tu predicción está entregada: { $place }
+seat-handed-moved = Se muestran las respuestas: tu predicción se ha entregado tal como la habías movido.
 seat-step-left = Un poco a la izquierda
 seat-step-right = Un poco a la derecha
 seat-step-up = Un poco hacia arriba

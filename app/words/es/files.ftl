@@ -12,6 +12,7 @@ files-replace = ¿Reemplazar la escena guardada { $name }?
     .no = Cancelar
 files-saved = Escena guardada
     .text = La escena está guardada como { $name }.
+    .other = La escena se ha guardado como { $name }: un archivo no puede llamarse { $typed }.
 files-failed = Eso no ha funcionado
     .error = Se ha producido un error en el servidor.
 files-one = De uno en uno

@@ -89,6 +89,7 @@ seat-predict = Il sera là
   .place = Rendre : { $place }
 seat-predicted = Ta prédiction est rendue
   .place = Ta prédiction est rendue : { $place }
+seat-handed-moved = Les réponses sont affichées : ta prédiction a été rendue telle que tu l’avais placée.
 seat-step-left = Un peu vers la gauche
 seat-step-right = Un peu vers la droite
 seat-step-up = Un peu vers le haut

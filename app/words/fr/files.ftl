@@ -12,6 +12,7 @@ files-replace = Remplacer la scène enregistrée { $name } ?
     .no = Annuler
 files-saved = Enregistré
     .text = La scène est enregistrée sous le nom { $name }.
+    .other = La scène est enregistrée sous { $name } : un fichier ne peut pas s’appeler { $typed }.
 files-failed = Cela n’a pas marché
     .error = Une erreur s’est produite sur le serveur.
 files-one = Un seul à la fois

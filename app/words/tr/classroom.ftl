@@ -19,7 +19,7 @@ class-moved =
   .higher = { $length } daha yukarıda
   .left = { $length } solda
   .right = { $length } sağda
-class-where-put = koyduğunuz yerler
+class-where-put = tahminleriniz
 
 ## Öğrencinin sayfası.
 
@@ -83,6 +83,7 @@ seat-predict = Burada olacak
   .place = Teslim et: { $place }
 seat-predicted = Tahminin teslim edildi
   .place = Tahminin teslim edildi: { $place }
+seat-handed-moved = Cevaplar gösteriliyor: tahminin, taşıdığın hâliyle teslim edildi.
 seat-step-left = Biraz sola
 seat-step-right = Biraz sağa
 seat-step-up = Biraz yukarıya

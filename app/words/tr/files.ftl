@@ -12,6 +12,7 @@ files-replace = Kaydedilmiş sahne değiştirilsin mi: { $name }?
     .no = Vazgeç
 files-saved = Kaydedildi
     .text = Sahne şu adla kaydedildi: { $name }.
+    .other = Sahne { $name } adıyla kaydedildi: bir dosyanın adı { $typed } olamaz.
 files-failed = Bu olmadı
     .error = Sunucuda bir hata oldu.
 files-one = Birer birer

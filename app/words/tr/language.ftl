@@ -1,2 +1,3 @@
 language-name = Türkçe
 language-direction = ltr
+language-quoted = “{ $text }”

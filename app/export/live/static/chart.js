@@ -15,7 +15,7 @@
 import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
 import { numbersOf, sentenceOf } from "../../../ui/plot_words.js";
-import { say, upright } from "../../../words/words.js";
+import { say, tied, upright } from "../../../words/words.js";
 import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
@@ -148,8 +148,8 @@ export function makeChart(plot) {
     /** @param {"period" | "amplitude"} what */
     const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
     const readings = told.join("; ");
-    if (at >= 0) reading.textContent = say("live-at", { time: said(times[at]), readings });
-    else if (names.length <= 2) reading.textContent = readings;
+    if (at >= 0) reading.textContent = tied(say("live-at", { time: said(times[at]), readings }));
+    else if (names.length <= 2) reading.textContent = tied(readings);
     else if (!found.every(Boolean)) reading.textContent = "";
     else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: upright(`${of("amplitude")} ${units[0]}`.trim()) });
     /** @param {string} name @param {string} unit */
