@@ -60,7 +60,7 @@ def test_the_focus_has_somewhere_to_go(open_page: OpenPage) -> None:
     desk.until(lambda: "mass 10 of" in live.inner_text(), "the last one is chosen")
     page.keyboard.press("Delete")
     becomes(desk, 10, 8, 6)
-    desk.until(lambda: "mass 9 of 0 to 9" in live.inner_text(), "another one is chosen")
+    desk.until(lambda: "mass 9, " in live.inner_text(), "another one is chosen")
     page.keyboard.press("Delete")
     becomes(desk, 9, 7, 5)
     assert not desk.notices()

@@ -5,6 +5,9 @@ from __future__ import annotations
 from contextvars import copy_context
 from typing import ClassVar
 
+import numpy as np
+from numpy.typing import NDArray
+
 from sim.analysis.description import Description, describe
 from sim.analysis.part_description import describe_part
 from sim.edit.edit import Selection
@@ -88,10 +91,13 @@ class DescribeFeature(Feature):
         scene = session.simulation.scene
         found, before = describe(session.simulation, scene), self._before
         self._before = found
-        threads.submit(copy_context().run, self._say, found, scene, before)
+        positions = session.simulation.positions.copy()
+        threads.submit(copy_context().run, self._say, found, scene, positions, before)
 
-    def _say(self, found: Description, scene: Scene, before: Description | None) -> None:
-        told = Described(text=paragraph(found, scene, swing_of(found, scene), before))
+    def _say(
+        self, found: Description, scene: Scene, positions: NDArray[np.float64], before: Description | None
+    ) -> None:
+        told = Described(text=paragraph(found, scene, swing_of(found, scene, positions), before))
         self.page.soon(lambda: self.page.mail.send(told))
 
 

@@ -12,6 +12,8 @@ measure-formula = Formula
 measure-over = Over
     .time = time
 measure-new = New plot
+# For a screen reader: a plot was opened.
+measure-opened = New plot: { $plot }
 # Lists and buttons of a plot.
 measure-span = Time span
 measure-analysis = Analysis
@@ -78,5 +80,6 @@ melody-heard = { $name }: { $low } to { $high } { $unit }.
 melody-passes = From { $from } to { $to } s.
     .frequency = From { $from } to { $to } Hz.
 melody-none = { $name } has no values to hear.
+melody-which = Plot { $number } of { $count }.
 melody-no-plot = There is no plot to hear.
 melody-off = Sound is off, see Access and language.
