@@ -39,6 +39,11 @@ def test_a_mass_is_chosen_taken_and_moved_by_keys_alone(open_page: OpenPage) -> 
     assert "let go" in live.inner_text()
     desk.page.keyboard.press("Space")
     desk.until(lambda: desk.session.hands.masses == (5,), "it is taken once more")
+    desk.page.keyboard.press("Escape")
+    desk.until(lambda: not desk.session.hands.masses, "Esc lets go")
+    assert desk.session.playing  # and does not pause
+    desk.page.keyboard.press("Space")
+    desk.until(lambda: desk.session.hands.masses == (5,), "and again")
     desk.page.evaluate("window.dispatchEvent(new Event('blur'))")
     desk.until(lambda: not desk.session.hands.masses, "leaving the window lets go, too")
     desk.until(lambda: desk.readout("joint4") == "of 10", "its joint is read out")

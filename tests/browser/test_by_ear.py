@@ -133,6 +133,9 @@ def goes_through(ear: Ear, steps: tuple[Step, ...], live: bool = False) -> None:
         if step.watch:
             assert step.watch in ear.look().text
         reads_plots(ear, len(step.plots or ()))
+        for figure in ear.look().all("figure"):
+            named, texts = figure.all("image")[0].name, figure.all("StaticText")
+            assert not any(named.startswith(text.name) for text in texts), "its legend is not read beside it"
         if i == 0 and step.plots and " over " not in step.plots[0]:
             reads_numbers(ear)
         if step.question is not None:

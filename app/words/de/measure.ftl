@@ -1,5 +1,5 @@
-measure-about = Klicke eine Masse an, um zu wählen, was gemessen wird: die Masse, ihr Gelenk und ihre Federn.
-    .plots = Bewege den Zeiger über ein Diagramm, um Werte abzulesen; ziehe darüber, um einen Teil zu vergrößern, und doppelklicke, um alles zu sehen.
+measure-about = Klicke oder tippe eine Masse an, oder greife sie mit Tasten, um zu wählen, was gemessen wird: die Masse, ihr Gelenk und ihre Federn.
+    .plots = Zeige auf ein Diagramm, um Werte abzulesen; ziehe darüber, um einen Teil zu vergrößern, und doppelklicke, um alles zu sehen; mit Tasten: Pfeile, Pos1.
 measure-no-plot = Kein Diagramm ist offen. <b>Neues Diagramm</b> zeigt { $quantity }, während sich der Körper bewegt.
 measure-part = Teil
 measure-quantity = Größe

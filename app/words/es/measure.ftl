@@ -1,5 +1,5 @@
-measure-about = Haz clic en una masa para elegir qué se mide: la masa, su articulación y sus resortes.
-    .plots = Mueve el puntero sobre una gráfica para leer valores; arrastra sobre ella para ampliar, haz doble clic para verlo todo.
+measure-about = Haz clic en una masa, tócala o agárrala con teclas para elegir qué se mide: la masa, su articulación y sus resortes.
+    .plots = Señala una gráfica para leer valores; arrastra sobre ella para ampliar, haz doble clic para verlo todo; con teclas: flechas, Inicio.
 measure-no-plot = No hay ninguna gráfica abierta. <b>Nueva gráfica</b> muestra { $quantity } mientras el cuerpo se mueve.
 measure-part = Parte
 measure-quantity = Magnitud

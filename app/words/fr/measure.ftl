@@ -1,5 +1,5 @@
-measure-about = Clique sur une masse pour choisir ce qui est mesuré : la masse, son articulation et ses ressorts.
-    .plots = Déplace le pointeur sur un graphique pour lire des valeurs ; glisse en travers pour agrandir, double-clique pour tout voir.
+measure-about = Clique sur une masse, touche-la ou saisis-la au clavier pour choisir ce qui est mesuré : la masse, son articulation et ses ressorts.
+    .plots = Pointe un graphique pour lire des valeurs ; glisse en travers pour agrandir, double-clique pour tout voir ; au clavier : flèches, Début.
 measure-no-plot = Aucun graphique n’est ouvert. <b>Nouveau graphique</b> montre { $quantity } pendant le mouvement.
 measure-part = Élément
 measure-quantity = Grandeur

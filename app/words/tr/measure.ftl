@@ -1,5 +1,5 @@
-measure-about = Neyin ölçüleceğini seçmek için bir kütleye tıkla: kütle, eklemi ve yayları.
-    .plots = Değerleri okumak için imleci grafiğin üzerinde gezdir; yakınlaştırmak için üzerinde sürükle, tümünü görmek için çift tıkla.
+measure-about = Neyin ölçüleceğini seçmek için bir kütleye tıkla veya dokun ya da onu tuşlarla tut: kütle, eklemi ve yayları.
+    .plots = Değerleri okumak için bir grafiğin üzerine gel; yakınlaştırmak için üzerinde sürükle, tümünü görmek için çift tıkla; tuşlarla: oklar, Home.
 measure-no-plot = Açık grafik yok. <b>Yeni grafik</b>, cisim hareket ederken şunu gösterir: { $quantity }.
 measure-part = Parça
 measure-quantity = Büyüklük
