@@ -281,7 +281,7 @@ class FitPanel:
         def progress(what: str) -> None:
             if self._table is not table:
                 raise _Stopped
-            self._page.later(partial(self._tell, table, say("fit-goes-on", what=of(what))))
+            self._page.later(partial(self._tell, table, say("fit-goes-on", what=what)))
             yield_gil.pause()
 
         try:
