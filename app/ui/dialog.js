@@ -38,6 +38,31 @@ export function makeButton(text, press, name = "softrod-button") {
   return button;
 }
 
+/**
+ * Makes a region that a screen reader reads out, and returns what says something in it: the same words again, too.
+ *
+ * @param {string} [name] a further class
+ * @returns {(text: string) => void}
+ */
+export function addTeller(name = "") {
+  const region = make("div", `softrod-tell ${name}`.trim());
+  region.setAttribute("role", "status");
+  overCanvas().append(region);
+  return (text) => {
+    region.textContent = region.textContent === text ? `${text}\u00a0` : text;
+  };
+}
+
+/** A button that closes what it stands in; its sign is not read. @param {() => void} close @param {string} [name] */
+export function makeClose(close, name = say("ui-close")) {
+  const button = makeButton("", close, "softrod-close");
+  const sign = make("span", "", "×");
+  sign.ariaHidden = "true";
+  button.append(sign);
+  button.ariaLabel = name;
+  return button;
+}
+
 /** The part of the page with the body, and with all that stands over it: where the page's tools go. @returns {HTMLElement} */
 export const overCanvas = () => document.querySelector("main") || document.body;
 
@@ -53,9 +78,7 @@ export function makeDialog(title, name) {
   const heading = make("h2", "", title);
   heading.id = `${name}-title`;
   dialog.setAttribute("aria-labelledby", heading.id);
-  const close = makeButton("×", () => dialog.close(), "softrod-close");
-  close.ariaLabel = say("ui-close");
-  head.append(heading, close);
+  head.append(heading, makeClose(() => dialog.close()));
   const body = make("div", "softrod-dialog-body");
   dialog.append(head, body);
   // A click on the backdrop closes it, unless the press began inside, as when text is selected.

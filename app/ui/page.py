@@ -33,6 +33,12 @@ class Plots(Protocol):
     """A list of plots, as other parts of the page use it."""
 
     looked_at: bool
+    played_at: float
+
+    @property
+    def played(self) -> int:
+        """The one that was played last as sound, at `played_at`; -1 for none."""
+        ...
 
     @property
     def specs(self) -> tuple[PlotSpec, ...]:

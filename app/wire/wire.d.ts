@@ -286,7 +286,7 @@ export type Tones = { tell: "tones"; plot: string; time: number; lines: HeardLin
 /** Turn to the Measure tab, where a plot is about to appear. */
 export type ShowMeasures = { tell: "showMeasures" };
 /** Play a plot as a melody. */
-export type Melody = { tell: "melody"; plot: string; way: "frequency" | "path" | "time"; moments: number[]; lines: HeardLine[] };
+export type Melody = { tell: "melody"; plot: string; number: number; count: number; way: "frequency" | "path" | "time"; moments: number[]; lines: HeardLine[] };
 /** The slow vibrations of the body, while the strip of modes is open. */
 export type Modes = { tell: "modes"; on?: boolean; number?: number; trouble?: string; frequencies?: number[]; damping?: number[]; full?: number[]; driven?: number };
 /** Shapes of the modes, see `modes.feature.encode_shapes`; empty while the strip is closed. */

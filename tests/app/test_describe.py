@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 import time
 
@@ -9,12 +10,15 @@ import pytest
 
 import sim
 from app.features.describe.messages import Describe, Described, FollowTouches, Touched
+from app.features.describe.paragraph import paragraph, swing_of
 from app.features.describe.part import of_part
 from app.features.describe.touches import TouchWatch
 from app.features.edit.messages import Select
 from app.features.hands.messages import Grab
 from app.session import commands
 from app.wire.from_page import Perform
+from sim.analysis.description import describe
+from sim.analysis.modes import Modes
 from sim.analysis.part_description import describe_joint, describe_part, describe_spring
 from tests.app.whole import WholePage
 
@@ -119,3 +123,24 @@ def test_what_lies_on_a_floor_is_no_news_however_seldom_it_is_looked_at() -> Non
     for wall in range(20):
         assert watch.look(resting, 1, -1.0, float(wall)) is None
         resting.step(200)
+
+
+def test_each_piece_is_said_to_be_held_or_free() -> None:
+    masses = tuple(sim.Mass(position=(100.0 * i, 100.0)) for i in range(3))
+    spring = sim.LinearSpring(a=0, b=1, stiffness=1000.0, damping=1.0, rest_length=100.0)
+    scene = sim.Scene(name="x", masses=masses, linear_springs=(spring,), anchors=(sim.Anchor(mass=0),))
+    text = paragraph(describe(sim.Simulation(scene), scene), scene)
+    assert re.search(r"^A chain .*?\. It is held at mass 0, .*? A single mass\. Nothing holds it\. ", text)
+    assert "Together they are 200 px wide" in text
+
+
+def test_a_body_that_swings_by_less_than_one_length_is_nearly_at_rest() -> None:
+    scene = sim.load_scene("rope")
+    simulation = sim.Simulation(scene)
+    rest = Modes(scene, 1).rest
+    found = dataclasses.replace(describe(simulation, scene), velocity=(0.0, 2.0))
+    assert "It is nearly at rest" in paragraph(found, scene, swing_of(found, scene, rest))
+    # Where it turns back it is slow, and not at rest.
+    assert "moves down at 2 px/s" in paragraph(found, scene, swing_of(found, scene, rest + 5.0))
+    fast = dataclasses.replace(found, velocity=(0.0, 20.0))
+    assert "moves down at 20 px/s" in paragraph(fast, scene, swing_of(fast, scene, rest))

@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 import sim
-from app.classroom.answers import Line, Phase, Vote, Work
+from app.classroom.answers import OWN_BODY, Line, Phase, Vote, Work
 from app.classroom.live import MAX_CHECKS, Class, Classes
 from app.features.classroom import messages as class_messages
 from app.features.classroom.check_role import CheckRole
@@ -18,6 +18,7 @@ from app.features.classroom.messages import Desk, Seat, Taken
 from app.features.classroom.role import ClassRole, asking
 from app.features.classroom.seat import SeatRole
 from app.features.classroom.wall import WallRole
+from app.features.describe.messages import Describe
 from app.session import commands
 from app.session.session import Session
 from app.wire import from_page
@@ -182,6 +183,16 @@ def test_a_seat_follows_the_teacher_and_comes_back_to_its_own_body(classroom: Cl
     teacher.arrange("giveBack")
     assert seat.shared_view is None
     assert (own.simulation.positions == places).all()
+
+
+def test_a_pupil_may_have_described_what_is_asked_about_and_an_own_body(classroom: Class) -> None:
+    pupil = Pupil(classroom)
+    assert pupil.role.allows(Describe())
+    told = {}
+    for phase in Phase:
+        classroom.room.go(0, phase)
+        told[phase] = pupil.role.describes
+    assert {phase for phase, describes in told.items() if describes} == {Phase.ASK, *OWN_BODY}
 
 
 def test_the_wall_shows_the_body_of_a_seat_and_its_pupil_is_told(classroom: Class) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from typing import Any
 
 import numpy as np
@@ -134,6 +135,11 @@ def test_the_guide_to_the_page_has_all_keys() -> None:
     for keys, _ in key_lines(COMMANDS):
         for key in re.split(r" or | ", keys):
             assert key in shown
+
+
+def test_a_key_gives_one_command() -> None:
+    keys = Counter(key for row in COMMANDS.values() for key in row.keys)
+    assert [key for key, count in keys.items() if count > 1] == []
 
 
 # ------------------------------------------------------------------------- what is done

@@ -169,7 +169,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     with FRAME_LOCK:
         room.take(absent.number, an_answer(1, Vote(0)))
     expect(pupil.locator("[data-focus=question]")).to_be_focused()
-    expect(pupil.locator(".softrod-tell", has_text="Drag the pale body")).to_have_count(1)
+    expect(pupil.locator(".softrod-tell", has_text="Move the pale body")).to_have_count(1)
     pupil.locator(".softrod-own-prediction circle").focus()
     for _ in range(3):
         keys.press("ArrowDown")

@@ -465,7 +465,7 @@ def test_a_page_is_translated(open_page: OpenPage, school: School, live: Callabl
     assert not page.locator(":is(kbd, .softrod-unit, .softrod-clock, [translate=no]) font").count()
     # A pupil answers, and reads what is to be done next.
     school.go(Phase.ASK)
-    expect(pupil.locator(".softrod-task")).to_contain_text("«Drag the pale body")
+    expect(pupil.locator(".softrod-task")).to_contain_text("«Move the pale body")
     pupil.locator("[data-focus=choice1]").click()
     until(pupil, lambda: school.classroom.room.bars(0, 0)[1] >= 1, "the answer counts")
     pupil.locator("[data-focus='step down']").click()

@@ -30,7 +30,7 @@ def test_an_empty_canvas_a_tab_without_plots_and_a_gallery_without_own_scenes(
 
     # The Measure tab begins with a plot of a mass that moves, and so would a new one.
     desk.show("Measure")
-    desk.page.get_by_text("Move the pointer over a plot to read values").wait_for()
+    desk.page.get_by_text("Point at a plot to read values").wait_for()
     assert "mass1.x" in desk.page.locator(".softrod-plot-title").inner_text()
     desk.button("Remove").click()
     hint = desk.page.get_by_text("No plot is open.")

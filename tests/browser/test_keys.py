@@ -173,6 +173,16 @@ def test_help_and_what_finds_anything_list_the_keys(open_page: OpenPage) -> None
     steps = desk.simulation.step_count
     desk.pause(0.2)
     assert desk.simulation.step_count == steps
+    # A slider that is found has the focus, and so has the menu's button after a search from the open menu.
+    focused = "[document.activeElement.type, document.activeElement.ariaLabel].join()"
+    desk.page.keyboard.press("Control+k")
+    desk.page.keyboard.type("Air friction")
+    desk.page.keyboard.press("Enter")
+    desk.until(lambda: desk.page.evaluate(focused) == "range,", "the slider has the focus")
+    desk.page.get_by_role("button", name="View", exact=True).press("Enter")
+    desk.page.keyboard.press("Control+k")
+    desk.page.keyboard.press("Escape")
+    desk.until(lambda: desk.page.evaluate(focused) == "button,View", "the focus comes back")
 
 
 def test_the_arrow_pad_holds_a_key_while_a_finger_is_on_it(open_page: OpenPage) -> None:

@@ -182,11 +182,11 @@ def test_looks_and_the_pointer_that_is_followed_by_keys(open_file: Open) -> None
     height = "document.querySelector('h1').getBoundingClientRect().height"
     before = page.evaluate(f"[{paper}, {height}]")
     page.keyboard.press("d")
-    page.keyboard.press("p")
+    page.keyboard.press("z")
     dark, larger = page.evaluate(f"[{paper}, {height}]")
     assert (before[0], dark) == ("rgb(255, 255, 255)", "rgb(20, 20, 20)")
     assert larger > 1.3 * before[1]
-    page.keyboard.press("p")
+    page.keyboard.press("z")
     assert page.evaluate(height) == before[1]
     page.keyboard.press("?")
     assert page.get_by_role("dialog").get_by_text("follows the pointer").is_visible()

@@ -41,7 +41,7 @@ def test_an_arrow_at_the_edge_leads_back_to_a_body_that_is_out_of_view(open_page
     ):
         if key:
             desk.page.keyboard.press(key)
-            desk.page.keyboard.press("h")
+            desk.page.keyboard.press("q")
         desk.page.mouse.move(*start)
         desk.rest(3)
         desk.page.mouse.down()
@@ -201,7 +201,7 @@ def test_for_a_projector_all_that_is_read_is_large(open_page: OpenPage) -> None:
     desk.page.keyboard.press("Escape")
     desk.open()
     assert desk.page.locator("html.softrod-projector").count() == 1
-    desk.page.keyboard.press("p")
+    desk.page.keyboard.press("z")
     desk.until(lambda: box_of(desk.page.locator(".softrod-panel"))["width"] < 400.0, "as before")
     canvas = desk.page.locator("canvas").first
     desk.until(lambda: box_of(canvas)["width"] > 1500.0, "the canvas has its place again")

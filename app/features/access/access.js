@@ -2,6 +2,7 @@
 /** The page Access of the View menu: a dialog of settings that this device keeps. */
 import { access, apply, isStill, onCalm, setAccess } from "../../ui/access.js";
 import { make, makeDialog } from "../../ui/dialog.js";
+import { newId } from "../../ui/gui/control.js";
 import { storeCookie } from "../../ui/kept/storage.js";
 import { isProjector, toggleProjector } from "../../ui/looks.js";
 import { send } from "../../wire/channel.js";
@@ -21,17 +22,24 @@ function speak(tag) {
   else location.replace(address);
 }
 
+/** Has a screen reader pass something by. @template {HTMLElement} E @param {E} element */
+function hide(element) {
+  element.ariaHidden = "true";
+  return element;
+}
+
 /**
- * A setting with its name, and below it what it does.
+ * A setting with its name, and below it what it does. A screen reader has both of the setting itself, and so not once more beside
+ * it.
  *
  * @param {HTMLElement} control @param {string} name @param {string} hint
  */
 function row(control, name, hint) {
   const label = make("label", "softrod-access-row");
-  label.append(make("span", "softrod-access-name", name), control);
-  const about = make("p", "softrod-access-hint", hint);
-  about.id = `softrod-access-${name.replace(/\W/g, "-")}`;
-  control.setAttribute("aria-describedby", about.id);
+  label.append(hide(make("span", "softrod-access-name", name)), control);
+  const about = hide(make("p", "softrod-access-hint", hint));
+  control.ariaLabel = name;
+  control.setAttribute("aria-describedby", (about.id = newId()));
   const all = make("div", "");
   all.append(label, about);
   return all;

@@ -86,6 +86,11 @@ class Role:
         """What the page shows instead of a body of its own, or None."""
         return None
 
+    @property
+    def describes(self) -> bool:
+        """Whether the body of the page's own session is the one that it shows, and may be described."""
+        return False
+
     def allows(self, said: from_page.FromPage) -> bool:
         """Whether the page may say that, whoever is behind it; called from any thread."""
         return isinstance(said, from_page.Who)

@@ -39,6 +39,7 @@ from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
 from ...words import language, say, speaking
 from ...words.english import of
+from ..describe.messages import Describe
 from . import messages
 from .messages import Found, Given, Predictions, Seat, Taken
 from .role import (
@@ -52,7 +53,7 @@ from .role import (
     predictions,
 )
 
-_ALWAYS = (messages.InSeat, from_page.Who)
+_ALWAYS = (messages.InSeat, from_page.Who, Describe)
 
 MAX_TRIES = 5
 """Pairs of digits, of a hundred, that one page can try in order to take a seat over."""
@@ -137,6 +138,11 @@ class SeatRole(ClassRole):
     def plots(self) -> tuple[str, ...]:
         step = self._step
         return (step.plots or ()) if step is not None else ()
+
+    @property
+    def describes(self) -> bool:
+        # While they are asked, all have the same body, which stands where the step begins.
+        return self.seat is not None and (self._moves or self._place.phase is Phase.ASK)
 
     def allows(self, said: from_page.FromPage) -> bool:
         return isinstance(said, _ALWAYS) or (self._moves and isinstance(said, OwnBody))

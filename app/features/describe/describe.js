@@ -2,7 +2,7 @@
 /** The description of the body, or of a part of it: a card over the canvas, which a screen reader reads. Esc closes it. */
 import { chosenMass } from "../../stage/overlay.js";
 import { onMessage, send } from "../../wire/channel.js";
-import { make, makeButton, overCanvas } from "../../ui/dialog.js";
+import { addTeller, make, makeClose, overCanvas } from "../../ui/dialog.js";
 import { isFree, swallow } from "../../ui/hands/keys.js";
 import { speakOfEvents } from "./speaker.js";
 import { say } from "../../words/words.js";
@@ -23,17 +23,13 @@ function begin() {
   card.ariaLabel = say("describe-title");
   card.hidden = true;
   const text = make("p", "");
-  const close = makeButton("×", () => (card.hidden = true), "softrod-close");
-  close.ariaLabel = say("describe-close");
-  card.append(text, close);
+  card.append(text, makeClose(() => (card.hidden = true), say("describe-close")));
+  overCanvas().append(card);
   // The card is hidden while it is closed, and what is hidden is not read.
-  const spoken = make("div", "softrod-tell");
-  spoken.setAttribute("role", "status");
-  overCanvas().append(card, spoken);
+  const tell = addTeller();
   onMessage("described", (told) => {
     text.textContent = told.text;
-    // The same words again would not be read.
-    spoken.textContent = spoken.textContent === told.text ? `${told.text}\u00a0` : told.text;
+    tell(told.text);
     card.hidden = false;
   });
   window.addEventListener("keydown", (event) => {

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
+from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sim.analysis.description import Description, Piece, direction
+import numpy as np
+from numpy.typing import NDArray
+
+from sim.analysis.description import Description, Piece, Shape, direction
 from sim.analysis.modes import Modes
 from sim.errors import InputError, SceneError
 from sim.scene.types import Scene
@@ -25,6 +28,8 @@ _SLOW = 0.5
 """Degrees a second from which a body turns."""
 _LASTING = 0.005
 """Part of a swing that is lost, below which it is next to nothing."""
+_NEARLY = 1.0
+"""Amplitude of the slowest swing, px, below which a body is nearly at rest."""
 
 _WAYS = ("right", "upRight", "up", "upLeft", "left", "downLeft", "down", "downRight")
 _SHAPES: dict[str, Key] = {
@@ -43,14 +48,22 @@ class Swing:
     Attributes:
         period: s, of a damped swing.
         lost: part of its amplitude that it loses in one.
+        away: how far a mass is from its place at rest, px, at most.
     """
 
     period: float
     lost: float
+    away: float
 
 
-def swing_of(found: Description, scene: Scene) -> Swing | None:
-    """Find how a body of one piece swings; None where it does not, or where that takes too long to find."""
+def swing_of(found: Description, scene: Scene, positions: NDArray[np.float64]) -> Swing | None:
+    """Find how a body of one piece swings; None where it does not, or where that takes too long to find.
+
+    Args:
+        found: what it is like.
+        scene: its scene.
+        positions: (n, 2) of its masses, px.
+    """
     if len(found.pieces) > 1 or not 1 < len(scene.masses) <= MOST_SWINGING:
         return None
     try:
@@ -63,7 +76,11 @@ def swing_of(found: Description, scene: Scene) -> Swing | None:
     if not ratio < 1.0:
         return None
     damped = math.sqrt(1.0 - ratio * ratio)
-    return Swing(math.tau / (float(modes.omega[0]) * damped), 1.0 - math.exp(-math.tau * ratio / damped))
+    return Swing(
+        period=math.tau / (float(modes.omega[0]) * damped),
+        lost=1.0 - math.exp(-math.tau * ratio / damped),
+        away=float(np.hypot(*(positions - modes.rest).T).max()),
+    )
 
 
 def paragraph(
@@ -86,14 +103,15 @@ def _sentences(
     unit, up = scene.view.unit, -1.0 if scene.view.y_down else 1.0
     left, bottom, right, top = found.box
     yield from _pieces(found.pieces)
-    yield from _held(found.pieces)
     if len(scene.masses) > 1:
-        yield say(
-            "describe-lies", width=f"{number(right - left)} {unit}", height=f"{number(top - bottom)} {unit}"
-        )
+        width, height = f"{number(right - left)} {unit}", f"{number(top - bottom)} {unit}"
+        if len(found.pieces) > 1:
+            yield say("describe-lies.all", width=width, height=height)
+        else:
+            yield say("describe-lies", width=width, height=height)
     if found.hangs is not None and found.hangs > _UNHEARD * (top - bottom) > 0.0:
         yield say("describe-hangs", mass=str(found.lowest), depth=f"{number(found.hangs)} {unit}")
-    yield from _motion(found, unit, up)
+    yield from _motion(found, swing, unit, up)
     if found.stretched is not None:
         spring, strain = found.stretched
         yield say("describe-stretched", spring=str(spring), percent=number(100.0 * strain))
@@ -116,9 +134,12 @@ def _sentences(
 
 
 def _pieces(pieces: tuple[Piece, ...]) -> Iterator[str]:
-    """What there is; pieces that are alike are counted together."""
-    kinds = Counter((one.shape, len(one.masses), one.springs, one.joints, one.loops) for one in pieces)
-    for (shape, masses, springs, joints, loops), count in kinds.items():
+    """What there is, and what holds it; pieces that are alike are counted together."""
+    kinds: defaultdict[tuple[Shape, int, int, int, int, bool], list[Piece]] = defaultdict(list)
+    for one in pieces:
+        kinds[one.shape, len(one.masses), one.springs, one.joints, one.loops, bool(one.held)].append(one)
+    for (shape, masses, springs, joints, loops, _), alike in kinds.items():
+        count = len(alike)
         match shape:
             case "mass":
                 yield say("describe-mass", count=count)
@@ -129,19 +150,22 @@ def _pieces(pieces: tuple[Piece, ...]) -> Iterator[str]:
             case _:
                 key = _SHAPES[shape]
                 yield say(key, count=count, masses=masses, springs=springs, joints=joints)
+        yield _held(alike, len(pieces) > 1)
 
 
-def _held(pieces: tuple[Piece, ...]) -> Iterator[str]:
+def _held(pieces: list[Piece], are_several: bool) -> str:
+    """What holds some pieces, of several or of one."""
     held = [(mass, side) for piece in pieces for mass, side in zip(piece.held, piece.sides, strict=True)]
     if not held:
-        yield say("describe-free")
-    elif len(held) == 1:
-        yield say("describe-held", mass=str(held[0][0]), side=held[0][1])
-    elif len(held) <= _MANY:
+        return say("describe-free.parts", count=len(pieces)) if are_several else say("describe-free")
+    if len(held) == 1 and pieces[0].shape == "mass":
+        return say("describe-held.mass", mass=str(held[0][0]))
+    if len(held) == 1:
+        return say("describe-held", mass=str(held[0][0]), side=held[0][1])
+    if len(held) <= _MANY:
         masses = listed([str(mass) for mass, _ in sorted(held)])
-        yield say("describe-held-many", count=len(held), masses=masses)
-    else:
-        yield say("describe-held-most", count=len(held))
+        return say("describe-held-many", count=len(held), masses=masses)
+    return say("describe-held-most", count=len(held))
 
 
 def way_of(vector: tuple[float, float], up: float) -> str:
@@ -149,9 +173,12 @@ def way_of(vector: tuple[float, float], up: float) -> str:
     return say("describe-way", way=_WAYS[round(direction(vector, up) / 45.0) % 8])
 
 
-def _motion(found: Description, unit: str, up: float) -> Iterator[str]:
+def _motion(found: Description, swing: Swing | None, unit: str, up: float) -> Iterator[str]:
     if found.is_still:
         yield say("describe-still")
+        return
+    if swing is not None and max(swing.away, found.speed * swing.period / math.tau) < _NEARLY:
+        yield say("describe-still.nearly", length=f"{number(_NEARLY)} {unit}")
         return
     yield say(
         "describe-moves",

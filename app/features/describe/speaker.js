@@ -2,7 +2,7 @@
 /** Says in a live region what happens to the body, while that is wished on the page Access. */
 import { onMessage, send } from "../../wire/channel.js";
 import { access, onAccess } from "../../ui/access.js";
-import { make, overCanvas } from "../../ui/dialog.js";
+import { addTeller } from "../../ui/dialog.js";
 import { onGrasp } from "../../ui/hands/hands.js";
 import { News } from "./news.js";
 
@@ -11,9 +11,7 @@ const LOOK_EVERY = 100;
 
 /** Begins to listen. */
 export function speakOfEvents() {
-  const live = make("div", "softrod-tell softrod-news");
-  live.setAttribute("role", "status");
-  overCanvas().append(live);
+  const tell = addTeller("softrod-news");
   const news = new News();
   /** @param {import("./news.js").Event} event */
   const hear = (event) => access().events && news.hear(event, performance.now());
@@ -47,7 +45,6 @@ export function speakOfEvents() {
   document.addEventListener("softrod-step", (event) => hear({ what: "step", .../** @type {CustomEvent} */ (event).detail }));
   setInterval(() => {
     const said = news.take(performance.now());
-    // The same words again would not be read.
-    if (said) live.textContent = live.textContent === said ? `${said}\u00a0` : said;
+    if (said) tell(said);
   }, LOOK_EVERY);
 }

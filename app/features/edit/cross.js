@@ -57,6 +57,7 @@ export function dropCross() {
   if (!at) return false;
   at = null;
   hover(null);
+  tell(say("edit-cross.gone"));
   return true;
 }
 

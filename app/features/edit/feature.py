@@ -33,7 +33,7 @@ class EditFeature(Feature):
         "cross": Row("page", ("X",), needs="edit"),
         "undo": Row(commands.Undo(), ("Ctrl Z",), icon="M9 7L4 12l5 5M4 12h10a5 5 0 0 1 0 10h-2"),
         "redo": Row(commands.Redo(), ("Ctrl Y",), icon="M15 7l5 5-5 5M20 12H10a5 5 0 0 0 0 10h2"),
-        "hand": Row("edit", ("H",), icon=_HAND),
+        "hand": Row("edit", ("Q",), icon=_HAND),
         "build": Row(
             "edit",
             ("B",),

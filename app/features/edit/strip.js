@@ -151,7 +151,7 @@ class EditStrip {
 
   /** Announces what has changed. Without the tools, whatever changed the scene says so itself. */
   announce() {
-    const { on, tool, selected, undo, redo, count, chain } = editing;
+    const { on, tool, selected, undo, redo, count, chain, chaining } = editing;
     const { before } = this;
     const news = [];
     if (on !== before.on) news.push(on ? say("edit-open", { tool: say(COMMANDS[tool].label) }) : say("edit-open.closed"));
@@ -161,6 +161,7 @@ class EditStrip {
     if (redo !== "" && redo !== before.redo && redo === before.undo) news.push(say("edit-undo.done", { what: redo }));
     else if (undo !== "" && isDone && (on || undo === before.redo)) news.push(undo);
     if (on && chain >= 0 && before.chain < 0) news.push(say("edit-begins", { mass: String(chain) }));
+    else if (on && before.chain >= 0 && chain < 0 && !chaining && !news.length) news.push(say("edit-begins.ended"));
     if (news.length) tell(news.join(". "));
     this.before = { ...editing };
   }

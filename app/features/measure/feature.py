@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, ClassVar
 
 from ...session.plots import PlotSpec, plot_text
 from ...session.session import Session
 from ...ui.commands import Row
 from ...ui.feature import Drawn, Feature
-from ...ui.page import Page, Plots
+from ...ui.page import Page
 from ...wire.messages import FromPage
 from ..hands.messages import Pick
 from .messages import FirstPlot, InView, Melody, Seen
 from .panel import MeasurePanel
+from .plot_list import open_plots
 
 if TYPE_CHECKING:
     from ...ui.panel import Panel
@@ -32,8 +32,8 @@ def _hear_live(_: Session, feature: MeasureFeature) -> None:
     feature.turn_live()
 
 
-_AGAIN = 3.5
-"""Seconds after a plot is played within which the key plays the next one."""
+_AGAIN = 10.0
+"""Seconds after a plot is played within which the key plays the next one, once it was heard and described."""
 
 
 class MeasureFeature(Feature):
@@ -56,7 +56,6 @@ class MeasureFeature(Feature):
         self.panel: MeasurePanel | None = None
         self._remembered: tuple[PlotSpec, ...] = ()
         self._is_visible = True
-        self._played, self._played_at = 0, -math.inf
 
     @property
     def specs(self) -> tuple[PlotSpec, ...]:
@@ -125,29 +124,30 @@ class MeasureFeature(Feature):
 
     # --------------------------------------------------------------------- sound
     @property
-    def _plots(self) -> list[tuple[Plots, int]]:
-        """The open plots, those first that are visible."""
-        lists = sorted(self.page.plots, key=lambda plots: not plots.looked_at)
-        return [(plots, i) for plots in lists for i in range(len(plots))]
+    def _played(self) -> int | None:
+        """The place of the plot that was played last among those that are open; None if there is none."""
+        played = max(self.page.plots, key=lambda plots: plots.played_at, default=None)
+        place = (played, played.played) if played is not None else None
+        plots = open_plots(self.page)
+        return plots.index(place) if place in plots else None
 
     def play_plot(self) -> None:
-        """Play a plot as sound; while one is played, the next one."""
-        plots, now = self._plots, self.session.now()
+        """Play the plot as sound that was played last; soon after that, the next one."""
+        plots, last = open_plots(self.page), self._played
         if not plots:
             self.page.mail.send(Melody())
             return
-        self._played = (self._played + (now - self._played_at < _AGAIN)) % len(plots)
-        self._played_at = now
-        of, index = plots[self._played]
+        since = self.session.now() - max(each.played_at for each in self.page.plots)
+        of, index = plots[0 if last is None else (last + (since < _AGAIN)) % len(plots)]
         of.play(index)
 
     def turn_live(self) -> None:
         """Hear the plot that was played last while the body moves, or no longer."""
-        plots = self._plots
+        plots = open_plots(self.page)
         if not plots:
             self.page.mail.send(Melody())
             return
-        of, index = plots[min(self._played, len(plots) - 1)]
+        of, index = plots[self._played or 0]
         of.turn_live(index)
 
     # --------------------------------------------------------------------- inside

@@ -4,9 +4,11 @@
  * not sent otherwise.
  */
 import { onMessage, pageState, send } from "../../wire/channel.js";
+import { addTeller } from "../../ui/dialog.js";
 import { readPhases } from "./phase.js";
 import { listenToPlots } from "./sound.js";
 import { showTab } from "../../ui/gui/gui.js";
+import { say } from "../../words/words.js";
 
 /** Milliseconds between two checks whether plots are visible. */
 const CHECK_EVERY = 250;
@@ -19,12 +21,13 @@ const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 function begin() {
   readPhases();
   listenToPlots();
+  const tell = addTeller();
   onMessage("showMeasures", () => {
     const { measuring = "" } = pageState();
     const count = titles().length;
     if (!measuring) return;
     showTab(measuring);
-    scrollToNew(count);
+    showNew(count, tell);
   });
   reportVisibility();
   beginWithPlot();
@@ -40,14 +43,16 @@ function beginWithPlot() {
   });
 }
 
-/** Scrolls to the newest plot, once it exists. @param {number} count of plots before */
-function scrollToNew(count) {
+/** Scrolls to the newest plot, once it exists, and says of what it is. @param {number} count of plots before @param {(text: string) => void} tell */
+function showNew(count, tell) {
   let tries = 0;
   const poll = setInterval(() => {
     const present = titles();
     if (present.length <= count && ++tries < MAX_POLLS) return;
     clearInterval(poll);
-    present.at(-1)?.scrollIntoView({ block: "start" });
+    const newest = present.at(-1);
+    newest?.scrollIntoView({ block: "start" });
+    if (newest && present.length > count) tell(say("measure-opened", { plot: (newest.textContent ?? "").trim() }));
   }, POLL_EVERY);
 }
 

@@ -39,11 +39,14 @@ class Melody(Event, frozen=True, kw_only=True):
         plot: id of the control that draws it; empty where there is no plot.
         way: what passes while it is played: the time, of a plot over time or of one over its last line, or
             the frequency of a spectrum.
+        number, count: the plot's place among those that are open, from 1, and how many these are.
         moments: the times or frequencies of the values.
         lines: what is heard; none without values.
     """
 
     plot: str = ""
+    number: int = 1
+    count: int = 1
     way: Literal["time", "path", "frequency"] = "time"
     moments: tuple[float, ...] = ()
     lines: tuple[HeardLine, ...] = ()

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
 import viser
+from msgspec.structs import replace
 
 from sim.analysis.curves import CURVES
 from sim.errors import InputError
@@ -16,14 +18,14 @@ from ...background import file_worker
 from ...session.notices import Notice
 from ...session.plots import MAX_PLOTS, Plot, PlotSpec, Span, curve
 from ...stage.colors import palette
-from ...ui.page import Page
+from ...ui.page import Page, Plots
 from ...ui.viser.handlers import on_change
 from ...viser_inside import element_id
 from ...words import say
 from ...words.english import name_of, refusal
 from ...words.keys import Key
 from . import analysis, hearing, plots
-from .messages import Tones
+from .messages import Melody, Tones
 
 EVERY = 0.1
 """Seconds between two updates of a plot, at least."""
@@ -52,6 +54,12 @@ PICTURE_PIECES = 1000
 
 ORDER = 100.0
 """Order of the first plot in the panel; the controls above have lower ones."""
+
+
+def open_plots(page: Page) -> list[tuple[Plots, int]]:
+    """The open plots of a page, by their lists and their places in these; those first that are visible."""
+    lists = sorted(page.plots, key=lambda plots: not plots.looked_at)
+    return [(plots, i) for plots in lists for i in range(len(plots))]
 
 
 class _OpenPlot:
@@ -213,13 +221,13 @@ class _OpenPlot:
         handle = self.chart.handle
         return "" if handle is None else element_id(handle)
 
-    def play(self) -> None:
-        """Send what is in view as a melody."""
+    @property
+    def melody(self) -> Melody:
+        """What is in view, as it is heard."""
         if self._analysis == analysis.SPECTRUM:
             drawn = analysis.draw_spectra(self.plot, self._span, hearing.NOTES)
-            self._page.mail.send(hearing.spectrum_melody(self.plot, drawn, self.id))
-        else:
-            self._page.mail.send(hearing.melody(self.plot, self._span, self.id))
+            return hearing.spectrum_melody(self.plot, drawn, self.id)
+        return hearing.melody(self.plot, self._span, self.id)
 
     def sound(self) -> None:
         """Send its newest values as tones."""
@@ -242,6 +250,7 @@ class PlotList:
 
     Attributes:
         looked_at: whether the plots are visible; hidden ones record values, but are not sent.
+        played_at: when one of them was played last as sound, s.
     """
 
     def __init__(
@@ -259,6 +268,8 @@ class PlotList:
         self._due = self._read_due = 0.0
         self._count = 0
         self._live: _OpenPlot | None = None
+        self._played: _OpenPlot | None = None
+        self.played_at = -math.inf
         self.looked_at = True
 
     def __len__(self) -> int:
@@ -345,8 +356,9 @@ class PlotList:
         )
         self._plots.append(shown)
         presses = {
-            say(TABLE): shown.download, say(PICTURE): shown.draw_picture, say(HEAR): shown.play,
-            say(ADD): partial(self._extend, shown), say(REMOVE): partial(self._remove, shown),
+            say(TABLE): shown.download, say(PICTURE): shown.draw_picture,
+            say(HEAR): partial(self._play, shown), say(ADD): partial(self._extend, shown),
+            say(REMOVE): partial(self._remove, shown),
         }  # fmt: skip
 
         @shown.buttons.on_click
@@ -367,9 +379,22 @@ class PlotList:
                 shown.zoom_to(part)
 
     # --------------------------------------------------------------------- sound
+    @property
+    def played(self) -> int:
+        """The plot that was played last; -1 for none."""
+        return self._plots.index(self._played) if self._played in self._plots else -1
+
     def play(self, index: int) -> None:
         """Send one of the plots as a melody."""
-        self._plots[index].play()
+        self._play(self._plots[index])
+
+    def _play(self, shown: _OpenPlot) -> None:
+        if shown not in self._plots:
+            return
+        self._played, self.played_at = shown, self._session.now()
+        plots = open_plots(self._page)
+        number = plots.index((self, self._plots.index(shown))) + 1
+        self._page.mail.send(replace(shown.melody, number=number, count=len(plots)))
 
     def turn_live(self, index: int) -> None:
         """Hear one of the plots while the body moves, or no longer."""

@@ -5,7 +5,7 @@
  */
 import { onMessage, pageState } from "../../wire/channel.js";
 import { access } from "../../ui/access.js";
-import { make, overCanvas } from "../../ui/dialog.js";
+import { addTeller } from "../../ui/dialog.js";
 import { controlOf } from "../../ui/gui/gui.js";
 import { Plot } from "../../ui/gui/plot.js";
 import { loudspeaker, note } from "../../ui/loudspeaker.js";
@@ -37,8 +37,12 @@ const FORGOTTEN = 1500;
 const noteTone = (line, voice, tones, at) =>
   note({ kind: "tone", at, pan: voice.pan, name: line.name, tones: tones.map(({ pitch, gain }) => [pitch, gain]) });
 
-/** What is said of a melody: each line with its ends and its side, and what passes meanwhile. @param {Melody} melody */
-function inWords({ way, moments, lines }) {
+/**
+ * What is said of a melody: which of several plots it is, each line with its ends and its side, and what passes meanwhile.
+ *
+ * @param {Melody} melody
+ */
+function inWords({ number = 1, count = 1, way, moments, lines }) {
   const told = lines.map(({ name, unit, values }, i) => {
     const finite = values.filter((value) => value !== null);
     if (!finite.length) return say("melody-none", { name });
@@ -48,7 +52,8 @@ function inWords({ way, moments, lines }) {
     return i === lines.length - 1 ? say("melody-heard.right", said) : say("melody-heard.between", said);
   });
   const ends = { from: few(moments[0]), to: few(moments[moments.length - 1]) };
-  return [...told, way === "frequency" ? say("melody-passes.frequency", ends) : say("melody-passes", ends)].join(" ");
+  const which = count > 1 ? [say("melody-which", { number: String(number), count: String(count) })] : [];
+  return [...which, ...told, way === "frequency" ? say("melody-passes.frequency", ends) : say("melody-passes", ends)].join(" ");
 }
 
 /** Shows on a plot over time where the sound is, or no longer. @param {string} plot @param {number | null} time */
@@ -158,17 +163,13 @@ class Live {
 
 /** Begins to listen for plots that are to be heard. */
 export function listenToPlots() {
-  const spoken = make("div", "softrod-tell");
-  spoken.setAttribute("role", "status");
-  overCanvas().append(spoken);
+  const tell = addTeller();
   /** @type {Played | null} */
   let played = null;
   onMessage("melody", (melody) => {
     played?.end();
     played = null;
     const { lines } = melody;
-    // The same words again would not be read.
-    const tell = (/** @type {string} */ text) => (spoken.textContent = spoken.textContent === text ? `${text}\u00a0` : text);
     if (!melody.plot || !lines.length) tell(say("melody-no-plot"));
     else if (!access().sound) tell(say("melody-off"));
     else {

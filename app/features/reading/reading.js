@@ -6,7 +6,7 @@ import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.
 import { makeSvg, set } from "../../stage/svg.js";
 import { takenPaper, takePaper } from "../../stage/taken.js";
 import { make, overCanvas } from "../../ui/dialog.js";
-import { isFree, swallow } from "../../ui/hands/keys.js";
+import { isFree, isTaken, swallow } from "../../ui/hands/keys.js";
 import { viserCanvas } from "../../ui/viser/viser.js";
 import { editing } from "../edit/editing.js";
 import { CLICK, massAt } from "../../ui/hands/pointer.js";
@@ -101,7 +101,7 @@ function begin() {
   window.addEventListener(
     "keydown",
     (event) => {
-      if (event.key !== "Escape" || card.hidden || !isFree(event)) return;
+      if (event.key !== "Escape" || card.hidden || !isFree(event) || isTaken(event)) return;
       swallow(event);
       close();
     },

@@ -34,7 +34,7 @@ class ViewFeature(Feature):
     commands: ClassVar = {
         "fit": Row("page", ("0",)),
         "chase": Row("page", needs="view"),
-        "larger": Row("page", ("P",)),
+        "larger": Row("page", ("Z",)),
         "dark": Row(_toggle("dark"), needs="view"),
         "meter": Row(_toggle("meter"), needs="view"),
         "gizmos": Row(_toggle("gizmos"), needs="view"),

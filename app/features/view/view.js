@@ -125,6 +125,13 @@ class ViewMenu {
     this.items.find(({ item }) => !item.hidden)?.item.focus();
   }
 
+  /** Closes it if it is open, and has the focus at its button. */
+  leave() {
+    if (this.list.hidden) return;
+    this.open(false);
+    this.lid.focus();
+  }
+
   /** @param {KeyboardEvent} event */
   press(event) {
     if (this.list.hidden) return;
@@ -132,10 +139,8 @@ class ViewMenu {
     const shown = this.items.filter(({ item }) => !item.hidden).map(({ item }) => item);
     const at = shown.findIndex((item) => item === document.activeElement);
     const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
-    if (event.key === "Escape" || event.key === "Tab") {
-      this.open(false);
-      this.lid.focus();
-    } else if (to !== undefined) shown.at(to % shown.length)?.focus();
+    if (event.key === "Escape" || event.key === "Tab") this.leave();
+    else if (to !== undefined) shown.at(to % shown.length)?.focus();
     if (to !== undefined || event.key === "Escape") event.preventDefault();
   }
 
@@ -176,11 +181,20 @@ function restoreDark() {
   });
 }
 
+/** @type {ViewMenu | null} */
+let menu = null;
+
+/** Finds anything. What has had the focus gets it back, which the entry of an open menu cannot. */
+function find() {
+  menu?.leave();
+  openFinder();
+}
+
 function begin() {
   restoreLooks();
   restoreDark();
-  new ViewMenu();
+  menu = new ViewMenu();
 }
 
 /** @type {import("../../ui/feature.js").Feature<"view">} */
-export default { commands: { palette: openFinder, fit: () => void fit(true), chase: toggleChase, larger: toggleProjector }, begin };
+export default { commands: { palette: find, fit: () => void fit(true), chase: toggleChase, larger: toggleProjector }, begin };

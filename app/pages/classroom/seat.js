@@ -14,6 +14,7 @@ import { say } from "../../words/words.js";
 import { Alone } from "./alone.js";
 import { keepAwake } from "./awake.js";
 import { Bench } from "./bench.js";
+import { listenForDescription } from "./description.js";
 import { addHands } from "./hands.js";
 import { hangUp } from "./line.js";
 import { forgetAnswers, give, isSamePlace, onOutbox, openOutbox, unsent } from "./outbox.js";
@@ -86,6 +87,7 @@ export function addSeat(picture) {
   const bench = new Bench(work, (dial, value) => alone.change(dial, value));
   const hands = addHands(picture, () => hasOwn() && !alone.isOn);
   alone = new Alone(picture, bench, () => hands);
+  listenForDescription(() => hands.chosen);
   around = [
     new Card(known("head", HTMLElement), () => (seat ? headOf(seat) : [])),
     new Card(below, () => (seat ? belowOf(seat) : [])),

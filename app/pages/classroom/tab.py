@@ -25,6 +25,8 @@ from ...export.live.sliders import TUTORIAL, sliders
 from ...features.classroom import messages
 from ...features.classroom.role import NOTHING, Role
 from ...features.classroom.shared_view import Onlooker
+from ...features.describe.describer import Describer
+from ...features.describe.messages import Describe, Described
 from ...features.hands.feature import hand_commands
 from ...features.time.messages import Speed
 from ...lessons import quantity_text
@@ -107,6 +109,7 @@ class ClassTab:
         self._onlooker = Onlooker(self._mail, self._pictures, self._number, line)
         self._preparation = Preparation(compiler)
         self._requests: BoundedQueue[Callable[[], object]] = BoundedQueue(lambda _: None)
+        self._describer = Describer(self._mail, self._requests.add)
         self._under_way: Future[Any] | None = None
         self._mapping = Mapping.of(scene)
         self._shared: SharedView | None = None
@@ -134,6 +137,8 @@ class ClassTab:
                 self._requests.add(lambda: role.introduce(said, session))
             case messages.InSeat() | messages.Checked():
                 self._requests.add(lambda: role.hear(said, session))
+            case Describe(mass):
+                self._requests.add(lambda: self._describe(mass))
             case Speed(speed) if "play" in self._controls:
                 session.post(commands.Speed(speed))
             case from_page.Visit():
@@ -150,6 +155,13 @@ class ClassTab:
 
     def stir(self) -> None:
         """See `Ticked`."""
+
+    def _describe(self, mass: int | None) -> None:
+        """Describe the page's body; one that somebody else moves is at the front, to be told of there."""
+        if self._role.describes:
+            self._describer.describe(self._session, mass)
+        else:
+            self._mail.send(Described(text=say("seat-look")))
 
     # --------------------------------------------------------------------- frames
     @property
@@ -246,6 +258,8 @@ class ClassTab:
         now = session.now()
         plan = session.openings, session.revision
         if plan != self._planned:
+            if self._planned is None or plan[0] != self._planned[0]:
+                self._describer.forget()
             self._planned, self._mapping = plan, Mapping.of(session.scene)
             self._pictures.build(session.scene, False, own_rest_angles(session.simulation))
         running = session.playing and session.simulation.divergence is None

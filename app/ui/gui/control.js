@@ -104,10 +104,10 @@ export class Control {
     answer({ type: "GuiUpdateMessage", uuid: this.id, updates: { value } });
   }
 
-  /** Moves the focus to it. */
+  /** Moves the focus to the first thing in it that takes it. */
   focus() {
-    const inside = this.element.querySelector("input, select, textarea, button");
-    if (inside instanceof HTMLElement) inside.focus();
+    const inside = /** @type {NodeListOf<HTMLElement>} */ (this.element.querySelectorAll("input, select, textarea, button"));
+    [...inside].find((each) => each.tabIndex >= 0 && each.checkVisibility())?.focus();
   }
 }
 

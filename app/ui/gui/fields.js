@@ -104,6 +104,10 @@ class Slider extends NumberField {
     this.track.addEventListener("dblclick", () => this.look.own != null && this.enter(this.look.own));
   }
 
+  focus() {
+    this.track.focus();
+  }
+
   /** True if equal steps of the slider are equal factors. */
   get isLogarithmic() {
     return this.look.logarithmic === true;

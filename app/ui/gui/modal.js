@@ -1,8 +1,7 @@
 // @ts-check
 /** Dialogs that the server opens. Their last button only closes, and so do Esc and a press beside them. */
 import { takeOver } from "../../wire/channel.js";
-import { make, makeButton } from "../dialog.js";
-import { say } from "../../words/words.js";
+import { make, makeClose } from "../dialog.js";
 import { newId, Place } from "./control.js";
 
 /** The open dialogs, by their ids. @type {Map<string, HTMLDialogElement>} */
@@ -28,9 +27,7 @@ export function takeDialogs(places) {
     const head = make("div", "softrod-dialog-head");
     const body = make("div", "softrod-dialog-body softrod-controls");
     const close = () => [...body.querySelectorAll("button")].at(-1)?.click();
-    const cross = makeButton("×", close, "softrod-close");
-    cross.ariaLabel = say("ui-close");
-    head.append(heading, cross);
+    head.append(heading, makeClose(close));
     dialog.append(head, body);
     dialog.addEventListener("cancel", (event) => {
       event.preventDefault();

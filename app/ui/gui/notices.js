@@ -1,8 +1,7 @@
 // @ts-check
 /** Notices of the server, over the bar of time. One stays while the pointer or the focus is on it. */
 import { takeOver } from "../../wire/channel.js";
-import { make, makeButton, overCanvas } from "../dialog.js";
-import { say } from "../../words/words.js";
+import { addTeller, make, makeClose, overCanvas } from "../dialog.js";
 
 /** Notices that are shown at a time; older ones go. */
 const MAX_SHOWN = 3;
@@ -16,8 +15,9 @@ const GAP = 12;
 /** Begins to show them. */
 export function takeNotices() {
   const list = make("div", "softrod-notices");
-  list.setAttribute("role", "status");
   overCanvas().append(list);
+  // What is said has no buttons.
+  const tell = addTeller();
   /** @type {Map<string, HTMLElement>} */
   const shown = new Map();
   /** @param {string} id */
@@ -32,12 +32,12 @@ export function takeNotices() {
     notice.dataset.kind = color ?? "";
     const text = make("div", "softrod-notice-text");
     text.append(make("strong", "softrod-notice-title", title), make("p", "softrod-notice-body", body));
-    const close = makeButton("×", () => remove(id), "softrod-close");
-    close.ariaLabel = say("ui-close");
+    const close = makeClose(() => remove(id));
     notice.append(text, close);
     const tops = [...document.querySelectorAll(BELOW)].map((element) => element.getBoundingClientRect()).filter(({ height }) => height);
     list.style.setProperty("--softrod-above", `${innerHeight - Math.min(innerHeight, ...tops.map(({ top }) => top)) + GAP}px`);
     list.append(notice);
+    tell(/[.?!؟]$/.test(title) ? `${title} ${body}` : `${title}. ${body}`);
     shown.set(id, notice);
     for (const old of [...shown.keys()].slice(0, -MAX_SHOWN)) remove(old);
     if (seconds === null) return;

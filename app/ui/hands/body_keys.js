@@ -1,7 +1,7 @@
 // @ts-check
 /** The body by keys alone: a stop of the Tab key over the canvas, and a live region that says what happened. */
 import { access } from "../access.js";
-import { overCanvas } from "../dialog.js";
+import { addTeller, overCanvas } from "../dialog.js";
 import { onPicture, shown } from "../../stage/canvas.js";
 import { onMessage, pageState, send } from "../../wire/channel.js";
 import { toWorld } from "../../stage/draw.js";
@@ -23,6 +23,7 @@ export function addBodyKeys() {
   live.setAttribute("role", "status");
   overCanvas().prepend(stop);
   overCanvas().append(live);
+  const tell = addTeller(); // beside what is said of its masses
   /** Where the mass in hand is, in the world. */
   let at = { x: 0, y: 0 };
   let number = -1;
@@ -37,6 +38,7 @@ export function addBodyKeys() {
       if (number < 0) return false;
       const [x, y] = toWorld(plan, frame.positions.subarray(2 * mass, 2 * mass + 2));
       at = { x, y };
+      stop.toggleAttribute("data-holds", true);
       send({ do: "grab", hand: number, mass, x: wireNumber(x), y: wireNumber(y) });
       send({ do: "pick", mass });
       return true;
@@ -49,6 +51,7 @@ export function addBodyKeys() {
       send({ do: "drop", hand: number });
       freeHand(number);
       number = -1;
+      stop.removeAttribute("data-holds");
     },
     where(mass) {
       const { pictured: plan, frame } = shown();
@@ -81,6 +84,7 @@ export function addBodyKeys() {
     for (const canvas of overCanvas().querySelectorAll("canvas")) canvas.ariaHidden = "true"; // the stop speaks for them
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
+    if (before.page === now.page && before.scene !== now.scene && now.title !== before.title) tell(say("ui-opened", { title: now.title ?? "" }));
     if (now.offer && !before.offer) news.push(say("ui-exploded"));
     else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(say(now.playing ? "ui-running" : "ui-running.paused"));
     if (before.scene === now.scene && now.broken !== before.broken) news.push(say("ui-broken", { count: now.broken ?? 0 }));

@@ -35,8 +35,8 @@ export class KeyHand {
 
   /** Says something of the mass that is marked. @param {"ui-mass" | "ui-mass.first" | "ui-mass.tools" | "ui-mass.held" | "ui-mass.free"} key */
   #say(key) {
-    const [mass, last] = [this.body.chosen(), this.body.count() - 1];
-    this.body.say(last < 0 ? say("ui-mass.none") : say(key, { mass: String(mass), last: String(last), place: this.body.where(mass) }));
+    const mass = this.body.chosen();
+    this.body.say(this.body.count() ? say(key, { mass: String(mass), place: this.body.where(mass) }) : say("ui-mass.none"));
   }
 
   /** The body gets the focus. @param {number} first the mass to begin with */
@@ -87,7 +87,8 @@ export class KeyHand {
       const count = this.body.count();
       this.body.choose((this.body.chosen() + (arrow[0] - arrow[1] > 0 ? 1 : count - 1)) % count);
       this.#say("ui-mass");
-    } else return;
+    } else if (event.key === "Escape" && this.#holds) this.letGo();
+    else return;
     event.preventDefault();
     event.stopPropagation();
   }

@@ -38,14 +38,14 @@ const isTyping = (target) =>
 const isSlider = (target) =>
   target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
- * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, a
- * plot arrows, a tab that was reached by the Tab key arrows across, the open box of instruments Esc.
+ * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, the
+ * body with a mass in hand Esc, a plot arrows, a tab that was reached by the Tab key arrows across, the open box of instruments Esc.
  *
  * @param {KeyboardEvent} event
  */
-function isTaken({ target, code, key }) {
+export function isTaken({ target, code, key }) {
   if (!(target instanceof Element)) return false;
-  if (key === "Escape") return target.closest(".softrod-box[data-open]") !== null;
+  if (key === "Escape") return target.closest(".softrod-box[data-open], .softrod-body[data-holds]") !== null;
   if (target.matches(".softrod-mode")) return (key in ARROWS && target.matches(":focus-visible")) || code === "Space";
   if (target.matches(".softrod-chart")) return key in ARROWS;
   if (target.matches("[role=tab]")) return !byPointer && (key === "ArrowLeft" || key === "ArrowRight");

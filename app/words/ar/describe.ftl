@@ -131,6 +131,10 @@ describe-net = { $count ->
 }.
 
 describe-free = لا شيء يثبّت الجسم.
+    .parts = { $count ->
+        [one] لا شيء يثبّت هذا الجزء.
+       *[other] لا شيء يثبّتها.
+    }
 describe-held = الكتلة المثبتة هي { $mass }، وهي { $side ->
     [left] عند الطرف الأيسر للجسم
     [right] عند الطرف الأيمن للجسم
@@ -142,13 +146,16 @@ describe-held = الكتلة المثبتة هي { $mass }، وهي { $side ->
     [rightBottom] في أسفل يمين الجسم
    *[inside] بين طرفي الجسم
 }.
+    .mass = الكتلة { $mass } مثبّتة.
 describe-held-many = عدد الكتل المثبتة { $count }، وهي: { $masses }.
 describe-held-most = عدد الكتل المثبتة { $count }.
 
 describe-lies = عرض الجسم { $width } وارتفاعه { $height }.
+    .all = عرض الكل معًا { $width } وارتفاعه { $height }.
 describe-hangs = أخفض كتلة فيه هي الكتلة { $mass }، وتقع تحت أعلى كتلة مثبتة بمقدار { $depth }.
 
 describe-still = الجسم ساكن.
+    .nearly = الجسم شبه ساكن: يتذبذب بأقل من { $length }.
 describe-moves = أسرع كتلة فيه هي الكتلة { $mass }، وتتحرك { $way } بسرعة { $speed }.
 describe-drifts = يتحرك الجسم ككل { $whole } بسرعة { $speed }.
 describe-turns = يدور { $sense ->

@@ -90,7 +90,7 @@ live-swings = الأزمنة الدورية ⁦{ $periods } s⁩؛ السعات 
 live-at = عند ⁦{ $time } s⁩: { $readings }
 
 live-own-words = بأسلوبك:
-live-predict = اسحب الكتل إلى حيث ستكون بعد ⁦{ $time } s⁩. ثم اضغط الزر.
+live-predict = انقل الكتل إلى حيث ستكون بعد ⁦{ $time } s⁩. ثم اضغط الزر.
     .done = سيكون هناك
     .seen = الخط الرفيع هو توقعك بعد ⁦{ $time } s⁩.
 live-goal = الهدف: { $goal }.

@@ -82,6 +82,10 @@ describe-net = { $count ->
 }
 
 describe-free = Nichts hält den Körper fest.
+    .parts = { $count ->
+        [one] Nichts hält dieses Teil fest.
+       *[other] Nichts hält sie fest.
+    }
 describe-held = Festgehalten ist Masse { $mass }, { $side ->
     [left] am linken Ende
     [right] am rechten Ende
@@ -93,13 +97,16 @@ describe-held = Festgehalten ist Masse { $mass }, { $side ->
     [rightBottom] rechts unten
    *[inside] zwischen den Enden
 }.
+    .mass = Masse { $mass } ist festgehalten.
 describe-held-many = { $count } Massen sind festgehalten: { $masses }.
 describe-held-most = { $count } Massen sind festgehalten.
 
 describe-lies = Der Körper ist { $width } breit und { $height } hoch.
+    .all = Alles zusammen ist { $width } breit und { $height } hoch.
 describe-hangs = Seine tiefste Masse, { $mass }, liegt { $depth } unter der höchsten festgehaltenen.
 
 describe-still = Er ist in Ruhe.
+    .nearly = Er ist fast in Ruhe: Er schwingt um weniger als { $length }.
 describe-moves = Seine schnellste Masse, { $mass }, bewegt sich { $way } mit { $speed }.
 describe-drifts = Als Ganzes bewegt er sich { $whole } mit { $speed }.
 describe-turns = Er dreht sich { $sense ->

@@ -82,7 +82,7 @@ live-swings = Schwingungsdauern { $periods } s; Amplituden { $amplitudes }
 live-at = Bei { $time } s: { $readings }
 
 live-own-words = In deinen eigenen Worten:
-live-predict = Ziehe die Massen dorthin, wo sie nach { $time } s sein werden. Drücke dann den Knopf.
+live-predict = Bewege die Massen dorthin, wo sie nach { $time } s sein werden. Drücke dann den Knopf.
     .done = Dort wird es sein
     .seen = Die dünne Linie ist deine Vorhersage für { $time } s.
 live-goal = Ziel: { $goal }.

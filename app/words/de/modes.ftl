@@ -1,7 +1,7 @@
 modes-strip = Eigenschwingungen
 modes-close = Eigenschwingungen schließen
     .hint = Schließen
-modes-how = Zeige auf einen Balken: So schwingt der Körper dabei. Ziehe ihn: Der Körper schwingt so. Halte ihn gedrückt: Er wird angetrieben.
+modes-how = Zeige auf einen Balken, oder gehe mit Tab hin: So schwingt der Körper dabei. Zieh ihn nach oben: Der Körper schwingt so. Halte ihn gedrückt, oder die Leertaste: Er wird angetrieben.
 modes-looking = Die Eigenschwingungen werden gesucht.
 modes-none = Keine Eigenschwingungen: { $why }.
 modes-still = um seine Ruhelage schwingt er nicht

@@ -66,13 +66,14 @@ ui-body = { $count ->
     [one] Körper aus { $count } Masse
    *[other] Körper aus { $count } Massen
 }
-ui-mass = Masse { $mass } von 0 bis { $last }, { $place }
-    .first = Masse { $mass } von 0 bis { $last }, { $place }. Pfeile wählen, die Leertaste greift
-    .tools = Masse { $mass } von 0 bis { $last }, { $place }. Pfeile wählen, die Eingabetaste tut, was das Werkzeug tut, + setzt eine Masse an, X bewegt ein Kreuz
-    .held = Masse { $mass } von 0 bis { $last } in der Hand. Pfeile bewegen sie
-    .free = Masse { $mass } von 0 bis { $last } losgelassen
+ui-mass = Masse { $mass }, { $place }
+    .first = Masse { $mass }, { $place }. Pfeile wählen, die Leertaste greift
+    .tools = Masse { $mass }, { $place }. Pfeile wählen, die Eingabetaste tut, was das Werkzeug tut, + setzt eine Masse an, X bewegt ein Kreuz
+    .held = Masse { $mass } in der Hand. Pfeile bewegen sie
+    .free = Masse { $mass } losgelassen
     .none = keine Masse
 ui-place = x { $x }, y { $y } { $unit }
+ui-opened = { $title } ist geöffnet
 ui-exploded = Der Körper ist explodiert und angehalten
 ui-running = Läuft
     .paused = Angehalten

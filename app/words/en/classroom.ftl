@@ -66,15 +66,15 @@ seat-gathered = Look to the front: this is your teacher's body. Yours waits.
 seat-follows = This is your teacher's body. Yours waits.
 seat-paused = Paused: look to the front.
 seat-can-change = You can still change it. Nobody else can see it yet.
-seat-ask-drag = Drag the pale body to where it will be { $seconds } s after the start. Nobody else can see it yet.
-seat-ask-both = Drag the pale body to where it will be { $seconds } s after the start, and choose an answer. Nobody else can see it yet.
+seat-ask-drag = Move the pale body to where it will be { $seconds } s after the start. Nobody else can see it yet.
+seat-ask-both = Move the pale body to where it will be { $seconds } s after the start, and choose an answer. Nobody else can see it yet.
 seat-ask-choose = Choose an answer. Nobody else can see it yet.
 seat-ask-again = Choose once more. Nobody else can see it yet.
 seat-try = Try it: this body is yours.
 
 # Homework, where each step asks first and runs then.
-seat-home-drag = Drag the pale body to where it will be { $seconds } s after the start. Then it runs.
-seat-home-both = Drag the pale body to where it will be { $seconds } s after the start and choose an answer. Then it runs.
+seat-home-drag = Move the pale body to where it will be { $seconds } s after the start. Then it runs.
+seat-home-both = Move the pale body to where it will be { $seconds } s after the start and choose an answer. Then it runs.
 seat-home-choose = Choose an answer. Then it runs.
 seat-late-now = What you give now counts as late.
 seat-home-own = Now it is your turn: this body is yours.

@@ -66,8 +66,12 @@ describe-net = { $count ->
     }.
 }
 
-# What holds it.
+# What holds it; parts: one or several of several pieces; mass: a piece that is a single mass.
 describe-free = Nothing holds it.
+    .parts = { $count ->
+        [one] Nothing holds it.
+       *[other] Nothing holds them.
+    }
 describe-held = It is held at mass { $mass }, { $side ->
     [left] at its left end
     [right] at its right end
@@ -79,15 +83,18 @@ describe-held = It is held at mass { $mass }, { $side ->
     [rightBottom] at its lower right
    *[inside] between its ends
 }.
+    .mass = Mass { $mass } is held.
 describe-held-many = { $count } masses are held: { $masses }.
 describe-held-most = { $count } masses are held.
 
-# How it lies: lengths with their unit.
+# How it lies: lengths with their unit; all: of several pieces.
 describe-lies = It is { $width } wide and { $height } high.
+    .all = Together they are { $width } wide and { $height } high.
 describe-hangs = Its lowest mass, { $mass }, is { $depth } below the highest one that is held.
 
 # How it moves: speeds with their unit. { $way } and { $whole } are directions, see describe-way.
 describe-still = It is at rest.
+    .nearly = It is nearly at rest: it swings by less than { $length }.
 describe-moves = Its fastest mass, { $mass }, moves { $way } at { $speed }.
 describe-drifts = As a whole it moves { $whole } at { $speed }.
 describe-turns = It turns { $sense ->

@@ -47,8 +47,10 @@ edit-selected = { $parts } selected
 edit-open = Tools open: { $tool }
     .closed = Tools closed
 edit-begins = A spring begins at mass { $mass }: Enter at another one joins them and goes on from there, Esc ends it
+    .ended = The spring is given up
 # A cross that arrow keys move over the canvas; $place: as in "x 300, y 200 px"; $part: what is there.
 edit-cross = Cross at { $place }. Arrows move it, with Shift by a tenth; Enter presses there, Esc takes it away
+    .gone = The cross is gone
 edit-cross-on = { $place }: { $part }
 # Beside a knob that turns a joint.
 edit-rests-at = rests at { $angle }

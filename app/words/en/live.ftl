@@ -94,7 +94,7 @@ live-at = At { $time } s: { $readings }
 
 # A lesson.
 live-own-words = In your own words:
-live-predict = Drag the masses to where they will be after { $time } s. Then press the button.
+live-predict = Move the masses to where they will be after { $time } s. Then press the button.
     .done = It will be there
     .seen = The thin line is your prediction for { $time } s.
 live-goal = Goal: { $goal }.

@@ -1,7 +1,7 @@
 # The Measure tab: what is plotted, and the plots; what instruments and tables say has files of its own.
 
-measure-about = Click a mass to choose what is measured: the mass, its joint and its springs.
-    .plots = Move the pointer over a plot to read values; drag across it to zoom in, double-click to see all.
+measure-about = Click or tap a mass, or take it by keys, to choose what is measured: the mass, its joint and its springs.
+    .plots = Point at a plot to read values; drag across it to zoom in, double-click to see all; by keys: arrows, Home.
 # Below the lists, without a plot; $quantity: as in joint3.angle.
 measure-no-plot = No plot is open. <b>New plot</b> shows { $quantity } while it moves.
 # Lists, a text box and a button with which a plot is made.
@@ -12,6 +12,8 @@ measure-formula = Formula
 measure-over = Over
     .time = time
 measure-new = New plot
+# For a screen reader: a plot was opened.
+measure-opened = New plot: { $plot }
 # Lists and buttons of a plot.
 measure-span = Time span
 measure-analysis = Analysis
@@ -78,5 +80,6 @@ melody-heard = { $name }: { $low } to { $high } { $unit }.
 melody-passes = From { $from } to { $to } s.
     .frequency = From { $from } to { $to } Hz.
 melody-none = { $name } has no values to hear.
+melody-which = Plot { $number } of { $count }.
 melody-no-plot = There is no plot to hear.
 melody-off = Sound is off, see Access and language.

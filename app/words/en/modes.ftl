@@ -3,7 +3,7 @@
 modes-strip = Modes
 modes-close = Close the modes
     .hint = Close
-modes-how = Point at a bar for its shape. Drag it: the body swings so. Press and hold it: it is driven.
+modes-how = Point at a bar, or Tab to it, for its shape. Move it up: the body swings so. Press and hold it, or Space: it is driven.
 modes-looking = The modes are being looked for.
 # $why: a sentence without its full stop.
 modes-none = No modes: { $why }.

@@ -89,15 +89,17 @@ ui-body = { $count ->
     [one] Body of { $count } mass
    *[other] Body of { $count } masses
 }
-# The mass that keys have chosen, and its place; masses have the numbers from 0 to $last.
-ui-mass = mass { $mass } of 0 to { $last }, { $place }
-    .first = mass { $mass } of 0 to { $last }, { $place }. Arrows choose, Space takes hold
-    .tools = mass { $mass } of 0 to { $last }, { $place }. Arrows choose, Enter does what the tool does, + adds a mass, X moves a cross
-    .held = mass { $mass } of 0 to { $last } in hand. Arrows move it
-    .free = mass { $mass } of 0 to { $last } let go
+# The mass that keys have chosen, and its place.
+ui-mass = mass { $mass }, { $place }
+    .first = mass { $mass }, { $place }. Arrows choose, Space takes hold
+    .tools = mass { $mass }, { $place }. Arrows choose, Enter does what the tool does, + adds a mass, X moves a cross
+    .held = mass { $mass } in hand. Arrows move it
+    .free = mass { $mass } let go
     .none = no mass
 # A place on the canvas, in the scene's unit.
 ui-place = x { $x }, y { $y } { $unit }
+# Another scene was opened.
+ui-opened = { $title } is open
 ui-exploded = The body exploded and is stopped
 ui-running = Running
     .paused = Paused

@@ -82,6 +82,10 @@ describe-net = { $count ->
 }
 
 describe-free = Nada lo sujeta.
+    .parts = { $count ->
+        [one] Nada sujeta esta parte.
+       *[other] Nada las sujeta.
+    }
 describe-held = Está sujeto por la masa { $mass }, { $side ->
     [left] en su extremo izquierdo
     [right] en su extremo derecho
@@ -93,13 +97,16 @@ describe-held = Está sujeto por la masa { $mass }, { $side ->
     [rightBottom] abajo a la derecha
    *[inside] entre sus extremos
 }.
+    .mass = La masa { $mass } está sujeta.
 describe-held-many = Hay { $count } masas fijas: { $masses }.
 describe-held-most = Hay { $count } masas fijas.
 
 describe-lies = Mide { $width } de ancho y { $height } de alto.
+    .all = Todo junto mide { $width } de ancho y { $height } de alto.
 describe-hangs = Su masa más baja, la { $mass }, está { $depth } por debajo de la masa fija más alta.
 
 describe-still = Está en reposo.
+    .nearly = Está casi en reposo: oscila menos de { $length }.
 describe-moves = Su masa más rápida, la { $mass }, se mueve { $way } a { $speed }.
 describe-drifts = En conjunto se mueve { $whole } a { $speed }.
 describe-turns = Gira { $sense ->

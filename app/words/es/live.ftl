@@ -82,7 +82,7 @@ live-swings = Periodos { $periods } s; amplitudes { $amplitudes }
 live-at = En { $time } s: { $readings }
 
 live-own-words = Con tus propias palabras:
-live-predict = Arrastra las masas hasta donde estarán después de { $time } s. Luego pulsa el botón.
+live-predict = Mueve las masas hasta donde estarán después de { $time } s. Luego pulsa el botón.
     .done = Estará ahí
     .seen = La línea fina es tu predicción para { $time } s.
 live-goal = Objetivo: { $goal }.

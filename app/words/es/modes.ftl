@@ -1,7 +1,7 @@
 modes-strip = Modos de vibración
 modes-close = Cerrar los modos
     .hint = Cerrar
-modes-how = Señala una barra para ver su forma. Arrástrala: el cuerpo oscila así. Mantenla pulsada: se excita.
+modes-how = Señala una barra, o ve a ella con Tab, para ver su forma. Súbela: el cuerpo oscila así. Mantenla pulsada, o mantén Espacio: se excita.
 modes-looking = Se están buscando los modos.
 modes-none = Sin modos: { $why }.
 modes-still = no vibra alrededor de su postura de reposo

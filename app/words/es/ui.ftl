@@ -66,13 +66,14 @@ ui-body = { $count ->
     [one] Cuerpo de { $count } masa
    *[other] Cuerpo de { $count } masas
 }
-ui-mass = masa { $mass } de 0 a { $last }, { $place }
-    .first = masa { $mass } de 0 a { $last }, { $place }. Las flechas eligen, Espacio agarra
-    .tools = masa { $mass } de 0 a { $last }, { $place }. Las flechas eligen, Intro hace lo que hace la herramienta, + añade una masa, X mueve una cruz
-    .held = masa { $mass } de 0 a { $last } en la mano. Las flechas la mueven
-    .free = masa { $mass } de 0 a { $last } suelta
+ui-mass = masa { $mass }, { $place }
+    .first = masa { $mass }, { $place }. Las flechas eligen, Espacio agarra
+    .tools = masa { $mass }, { $place }. Las flechas eligen, Intro hace lo que hace la herramienta, + añade una masa, X mueve una cruz
+    .held = masa { $mass } en la mano. Las flechas la mueven
+    .free = masa { $mass } suelta
     .none = ninguna masa
 ui-place = x { $x }, y { $y } { $unit }
+ui-opened = Se ha abierto: { $title }
 ui-exploded = El cuerpo ha explotado y está detenido
 ui-running = En marcha
     .paused = En pausa

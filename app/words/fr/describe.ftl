@@ -82,6 +82,10 @@ describe-net = { $count ->
 }
 
 describe-free = Rien ne tient l’objet.
+    .parts = { $count ->
+        [one] Rien ne tient cette partie.
+       *[other] Rien ne les tient.
+    }
 describe-held = L’objet est fixé à la masse { $mass }, { $side ->
     [left] à son extrémité gauche
     [right] à son extrémité droite
@@ -93,13 +97,16 @@ describe-held = L’objet est fixé à la masse { $mass }, { $side ->
     [rightBottom] en bas à droite
    *[inside] entre ses extrémités
 }.
+    .mass = La masse { $mass } est fixée.
 describe-held-many = { $count } masses sont fixées : { $masses }.
 describe-held-most = { $count } masses sont fixées.
 
 describe-lies = L’objet mesure { $width } de large et { $height } de haut.
+    .all = Le tout mesure { $width } de large et { $height } de haut.
 describe-hangs = La masse { $mass }, la plus basse, est { $depth } plus bas que la plus haute des masses fixées.
 
 describe-still = L’objet est au repos.
+    .nearly = L’objet est presque au repos : il oscille de moins de { $length }.
 describe-moves = La masse { $mass }, la plus rapide, se déplace { $way } à { $speed }.
 describe-drifts = Dans l’ensemble, l’objet se déplace { $whole } à { $speed }.
 describe-turns = Il tourne { $sense ->

@@ -82,7 +82,7 @@ live-swings = Périodes { $periods } s ; amplitudes { $amplitudes }
 live-at = À { $time } s : { $readings }
 
 live-own-words = Avec tes propres mots :
-live-predict = Tire les masses là où elles seront après { $time } s. Appuie ensuite sur le bouton.
+live-predict = Place les masses là où elles seront après { $time } s. Appuie ensuite sur le bouton.
     .done = Il sera là
     .seen = La ligne fine est ta prédiction pour { $time } s.
 live-goal = Objectif : { $goal }.

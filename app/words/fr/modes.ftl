@@ -1,7 +1,7 @@
 modes-strip = Modes propres
 modes-close = Fermer les modes propres
     .hint = Fermer
-modes-how = Pointe une barre pour voir sa forme. Tire-la : l’objet oscille ainsi. Appuie et maintiens : l’objet est excité.
+modes-how = Pointe une barre, ou va dessus avec Tab, pour voir sa forme. Monte-la : l’objet oscille ainsi. Appuie et maintiens, ou maintiens Espace : l’objet est excité.
 modes-looking = Recherche des modes propres en cours.
 modes-none = Pas de modes propres : { $why }.
 modes-still = il n’oscille pas autour de sa position de repos

@@ -66,13 +66,14 @@ ui-body = { $count ->
     [one] Objet de { $count } masse
    *[other] Objet de { $count } masses
 }
-ui-mass = masse { $mass }, de 0 à { $last }, { $place }
-    .first = masse { $mass }, de 0 à { $last }, { $place }. Les flèches choisissent, Espace saisit
-    .tools = masse { $mass }, de 0 à { $last }, { $place }. Les flèches choisissent, Entrée fait ce que fait l’outil, + ajoute une masse, X déplace une croix
-    .held = masse { $mass }, de 0 à { $last }, saisie. Les flèches la déplacent
-    .free = masse { $mass }, de 0 à { $last }, lâchée
+ui-mass = masse { $mass }, { $place }
+    .first = masse { $mass }, { $place }. Les flèches choisissent, Espace saisit
+    .tools = masse { $mass }, { $place }. Les flèches choisissent, Entrée fait ce que fait l’outil, + ajoute une masse, X déplace une croix
+    .held = masse { $mass } saisie. Les flèches la déplacent
+    .free = masse { $mass } lâchée
     .none = aucune masse
 ui-place = x { $x }, y { $y } { $unit }
+ui-opened = { $title } est ouvert
 ui-exploded = L’objet a explosé et il est arrêté
 ui-running = En mouvement
     .paused = En pause

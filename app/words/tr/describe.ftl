@@ -44,6 +44,10 @@ describe-net = { $count ->
 }
 
 describe-free = Cismi hiçbir şey tutmuyor.
+    .parts = { $count ->
+        [one] Bu parçayı hiçbir şey tutmuyor.
+       *[other] Bunları hiçbir şey tutmuyor.
+    }
 describe-held = Cisim { $mass } numaralı kütlesinden, { $side ->
     [left] sol ucundan
     [right] sağ ucundan
@@ -55,13 +59,16 @@ describe-held = Cisim { $mass } numaralı kütlesinden, { $side ->
     [rightBottom] sağ altından
    *[inside] uçlarının arasından
 } tutuluyor.
+    .mass = Kütle { $mass } sabit.
 describe-held-many = { $count } kütle sabitlenmiş: { $masses }.
 describe-held-most = { $count } kütle sabitlenmiş.
 
 describe-lies = Genişliği { $width }, yüksekliği { $height }.
+    .all = Hepsinin genişliği { $width }, yüksekliği { $height }.
 describe-hangs = En alttaki kütlesi, { $mass } numaralı olan, sabitlenmişlerin en yükseğinden { $depth } aşağıda.
 
 describe-still = Cisim hareketsiz.
+    .nearly = Cisim neredeyse hareketsiz: { $length } değerinden az salınıyor.
 describe-moves = En hızlı kütlesi, { $mass } numaralı olan, { $way } { $speed } süratle hareket ediyor.
 describe-drifts = Cisim bütün olarak { $whole } { $speed } süratle hareket ediyor.
 describe-turns = { $sense ->

@@ -76,7 +76,7 @@ live-swings = Periyotlar { $periods } s; genlikler { $amplitudes }
 live-at = { $time } s anında: { $readings }
 
 live-own-words = Kendi sözcüklerinle:
-live-predict = Kütleleri { $time } s sonra olacakları yere sürükle. Sonra düğmeye bas.
+live-predict = Kütleleri { $time } s sonra olacakları yere taşı. Sonra düğmeye bas.
     .done = Burada olacak
     .seen = İnce çizgi, { $time } s sonrası için tahminin.
 live-goal = Hedef: { $goal }.

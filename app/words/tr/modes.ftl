@@ -1,7 +1,7 @@
 modes-strip = Titreşim biçimleri
 modes-close = Titreşim biçimlerini kapat
     .hint = Kapat
-modes-how = Biçimini görmek için bir çubuğun üzerine gel. Çubuğu sürükle: cisim öyle titreşir. Basılı tut: cisim öyle titreşmeye zorlanır.
+modes-how = Biçimini görmek için bir çubuğun üzerine gel veya Tab ile ona git. Çubuğu yükselt: cisim öyle titreşir. Onu veya boşluk tuşunu basılı tut: cisim öyle titreşmeye zorlanır.
 modes-looking = Titreşim biçimleri aranıyor.
 modes-none = Titreşim biçimi yok: { $why }.
 modes-still = cisim, hareketsiz hâli çevresinde titreşmiyor

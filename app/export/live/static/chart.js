@@ -35,6 +35,7 @@ export function makeChart(plot) {
   const { names, words, units, over, overWords, overUnit, turned } = plot;
   const element = make("figure", "chart");
   const title = make("figcaption", "");
+  title.ariaHidden = "true"; // the image's name has these words, with the numbers
   words.forEach((word, i) => {
     const quantity = word + (units[i] && `, ${units[i]}`);
     const key = make("span", "", turned ? say("live-downwards", { quantity }) : quantity);

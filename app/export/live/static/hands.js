@@ -127,6 +127,11 @@ export class Hands {
     else if (event.pointerType === "mouse") this.canvas.classList.toggle("near", this.#massAt(event) >= 0);
   }
 
+  /** The mass that the keys have chosen, or -1. */
+  get chosen() {
+    return this.#chosen;
+  }
+
   /** What each hand holds, by pointer; the keys have one, too. */
   get held() {
     return this.#led;

@@ -58,7 +58,7 @@ export class Panel {
     speed.addEventListener("change", () => (live.speed = Number(speed.value)));
     /** What single keys do. @type {Record<string, () => void>} */
     this.keys = {
-      " ": () => live.toggle(), n: () => live.step(), r: () => live.restart(), d: view.dark, p: view.larger, "?": view.help,
+      " ": () => live.toggle(), n: () => live.step(), r: () => live.restart(), d: view.dark, z: view.larger, "?": view.help,
       ...(this.follow.hidden ? {} : { f: () => live.follow() }),
     };
     document.addEventListener("keydown", (event) => this.#press(event, hasArrows));

@@ -24,7 +24,7 @@ const KEYS = [
   // ifdef HAS_STEERING
   [say("live-keys-motors.keys"), say("live-keys-motors")],
   // endif
-  ["D, P", say("live-keys-dark")],
+  ["D, Z", say("live-keys-dark")],
   [say("live-keys-body.keys"), say("live-keys-body")],
   ["?", say("live-keys-help")],
 ];
