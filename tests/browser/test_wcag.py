@@ -239,7 +239,7 @@ def test_all_letters_grow_with_those_of_the_browser(all_places: Places, name: st
     all_places.close()
     both = usual.keys() & large.keys()
     assert both
-    assert {text: (usual[text], large[text]) for text in both if large[text] < 1.4 * usual[text]} == {}
+    assert {text: (usual[text], large[text]) for text in both if large[text] < 1.95 * usual[text]} == {}
     assert faults == []
 
 
