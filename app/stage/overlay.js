@@ -172,6 +172,7 @@ function scaleMark(add) {
     set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
     set(length, { x: (begin + end) / 2, y: low - 9 });
     length.textContent = lengthText(size, pageState().unit ?? "");
+    document.documentElement.style.setProperty("--softrod-scale-foot", `${low + 5}px`);
     takePaper("scale", { left: begin, right: end, top: free, bottom: low + 5 });
   };
 }

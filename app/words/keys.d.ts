@@ -25,6 +25,7 @@ export type Words = {
   "taps-held": "thing";
   "taps-put": "thing";
   "taps-back": "thing";
+  "taps-nothing": never;
   "taps-button": never;
   "taps-selection": never;
   "taps-frame": never;

@@ -27,6 +27,7 @@ Key = Literal[
     "taps-held",
     "taps-put",
     "taps-back",
+    "taps-nothing",
     "taps-button",
     "taps-selection",
     "taps-frame",
