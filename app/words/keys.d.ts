@@ -1018,6 +1018,8 @@ export type Words = {
   "instruments-strobe.every": "seconds";
   "language-name": never;
   "language-direction": never;
+  "language-comma": "before" | "after";
+  "language-semicolon": "before" | "after";
   "lesson-card": never;
   "lesson-right": never;
   "lesson-answer": "choice";

@@ -1020,6 +1020,8 @@ Key = Literal[
     "instruments-strobe.every",
     "language-name",
     "language-direction",
+    "language-comma",
+    "language-semicolon",
     "lesson-card",
     "lesson-right",
     "lesson-answer",

@@ -16,7 +16,7 @@ from sim.errors import InputError
 
 from ...session.plots import Plot, Span
 from ...ui import readouts
-from ...words import decimal, find, say
+from ...words import decimal, find, joined, say
 from ...words.english import of
 from ...words.keys import Key
 
@@ -160,13 +160,14 @@ def draw_spectra(plot: Plot, span: Span, points: int = POINTS) -> DrawnSpectrum:
     marked, lines = [], []
     for quantity, each in zip(plot.quantities, spectra, strict=False):
         found = peaks(each, duration, PEAKS) if each is not None else []
-        marked += [(peak.frequency, peak.amplitude, f"{peak.frequency:.4g} Hz") for peak in found]
+        marked += [(peak.frequency, peak.amplitude, decimal(f"{peak.frequency:.4g} Hz")) for peak in found]
         unit = f" {quantity.unit}" if quantity.unit else ""
         said = (
-            f"<b>{peak.frequency:.4g} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})" for peak in found
+            f"<b>{decimal(f'{peak.frequency:.4g}')} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})"
+            for peak in found
         )
         none = say(_NO_SPECTRUM if each is None else "measure-spectrum-no-peak")
-        lines.append(f"{html.escape(quantity.name)}: {', '.join(said) or none}")
+        lines.append(f"{html.escape(quantity.name)}: {joined(said) or none}")
     lines.append(say("measure-spectrum-of", seconds=decimal(f"{duration:.3g}")))
     return DrawnSpectrum(frequencies[starts], amplitudes, tuple(marked), _text(lines))
 

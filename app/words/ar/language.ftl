@@ -1,3 +1,5 @@
 # Lengths, times and other numbers with units stand between the invisible marks U+2066 and U+2069, which keep them from left to right.
 language-name = العربية
 language-direction = rtl
+language-comma = { $before }، { $after }
+language-semicolon = { $before }؛ { $after }

@@ -1,3 +1,6 @@
 # What those who speak this language call it, and the direction of its text: ltr, or rtl from right to left.
 language-name = English
 language-direction = ltr
+# A list, one item after the other; of sentences, or of what has commas itself.
+language-comma = { $before }, { $after }
+language-semicolon = { $before }; { $after }
