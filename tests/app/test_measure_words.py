@@ -135,3 +135,9 @@ def test_what_a_control_calls_speaks_the_language_it_was_made_in() -> None:
         on_press(handle, lambda: said.append(language()), blocks=True)
     handle.enter()
     assert said == ["de"]
+
+
+def test_errors_are_told_with_the_decimals_of_the_page_s_language() -> None:
+    scene = sim.load_scene("rope")
+    with speaking("de"):
+        assert "2,5" in verdict(scene, 2.5)

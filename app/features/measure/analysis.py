@@ -97,7 +97,7 @@ def fits_text(plot: Plot, fits: Sequence[Fit]) -> str:
             lines.append(f"{html.escape(quantity.name)}: {html.escape(fit.why_not)}")
             continue
         scatter = f"{readouts.grouped(fit.curve.deviation)} {quantity.unit}".strip()
-        origin = f"{fit.curve.origin:.6g} {over}".strip()
+        origin = decimal(f"{fit.curve.origin:.6g} {over}".strip())
         lines += [
             say("measure-fit-from", quantity=html.escape(quantity.name), place=html.escape(origin)),
             *(_said(number, quantity.unit, over) for number in fit.curve.numbers),
@@ -187,7 +187,7 @@ def _said(number: Number, unit: str, over: str) -> str:
     power, along = number.unit
     unit = html.escape(_unit(unit if power else "", over, along)) if power or along else "°"
     name = find(f"measure-number-{number.name.replace(' ', '-')}", number.name)
-    return f"{name} <b>{with_error(number.value, number.error)} {unit}".strip() + "</b>"
+    return f"{name} <b>{decimal(with_error(number.value, number.error))} {unit}".strip() + "</b>"
 
 
 def _unit(unit: str, over: str, along: int) -> str:
