@@ -19,7 +19,7 @@ from sim.text import Text
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
-from .words import say
+from .words import decimal, joined, say
 from .words.keys import Key
 from .words.settings import label_of, label_of_choice, options_of
 
@@ -157,14 +157,14 @@ def reading_unit(reading: Reading, scene: sim.Scene) -> str:
 def goal_text(goal: Goal, scene: sim.Scene) -> str:
     """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
     unit, text = reading_unit(goal, scene), reading_text(goal, scene)
-    low, high = ("" if bound is None else f"{bound:.6g}" for bound in (goal.low, goal.high))
+    low, high = ("" if bound is None else decimal(f"{bound:.6g}") for bound in (goal.low, goal.high))
     if low and high:
         said = say("goal-between", reading=text, low=low, high=f"{high} {unit}".rstrip())
     elif low:
         said = say("goal-least", reading=text, low=f"{low} {unit}".rstrip())
     else:
         said = say("goal-most", reading=text, high=f"{high} {unit}".rstrip())
-    return say("goal-held", goal=said, seconds=f"{goal.seconds:g}") if goal.seconds else said
+    return say("goal-held", goal=said, seconds=decimal(f"{goal.seconds:g}")) if goal.seconds else said
 
 
 def run_text(run: StepRun, scene: sim.Scene) -> str:
@@ -181,21 +181,24 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
         except sim.SettingError:
             said.append(assignment)
         else:
-            said.append(f"{label_of(setting)} {value} {setting.unit.replace('px', scene.view.unit)}".rstrip())
+            said.append(
+                f"{label_of(setting)} {decimal(value)} {setting.unit.replace('px', scene.view.unit)}".rstrip()
+            )
     few = run.pulls if len(run.pulls) <= MAX_TOLD else ()
     if len(run.pulls) > len(few):
         said.append(say("run-many", count=len(run.pulls)))
     said += (say("run-pull", mass=str(pull.mass), way=_way(pull.by, scene)) for pull in few)
     for circle in dict.fromkeys(one.circle for one in run.leads):
         led = [str(one.mass) for one in run.leads if one.circle == circle]
-        radius, times = f"{circle.radius:g} {scene.view.unit}", f"{circle.frequency:g}"
-        said.append(say("run-led", count=len(led), masses=", ".join(led), radius=radius, times=times))
+        radius = decimal(f"{circle.radius:g} {scene.view.unit}")
+        times = decimal(f"{circle.frequency:g}")
+        said.append(say("run-led", count=len(led), masses=joined(led), radius=radius, times=times))
     resting = [str(one.joint) for one in run.muscles if not (one.muscle and one.muscle.amplitude)]
     if resting:
-        said.append(say("run-rests", count=len(resting), joints=", ".join(resting)))
+        said.append(say("run-rests", count=len(resting), joints=joined(resting)))
     if moving := len(run.muscles) - len(resting):
         said.append(say("run-muscles", count=moving))
-    return f"{'; '.join(said)}."
+    return f"{joined(said, 'language-semicolon')}."
 
 
 def _way(by: tuple[float, float], scene: sim.Scene) -> str:
@@ -203,7 +206,8 @@ def _way(by: tuple[float, float], scene: sim.Scene) -> str:
     across, down = by[0], by[1] if scene.view.y_down else -by[1]
 
     def length(by: float) -> str:
-        return f"{round(abs(by)) if abs(by) >= 1.0 else f'{abs(by):g}'} {scene.view.unit}"
+        size = str(round(abs(by))) if abs(by) >= 1.0 else decimal(f"{abs(by):g}")
+        return f"{size} {scene.view.unit}"
 
     one = say("run-way.right" if across > 0.0 else "run-way.left", length=length(across))
     other = say("run-way.down" if down > 0.0 else "run-way.up", length=length(down))

@@ -15,7 +15,7 @@ from sim.settings import scene_of_step
 from ..bundle import compact_style
 from ..lessons import goal_text, reading_text, run_text
 from ..stage.looks import style_rules
-from ..words import say
+from ..words import decimal, say
 from ..words.english import name_of, of, step_of
 from .html_file import document, said
 
@@ -74,7 +74,7 @@ def _step(number: int, step: Step, scene: sim.Scene) -> str:
         )
         rows.append((said("live-sheet-ask"), f"{html.escape(question.text)}<ol>{choices}</ol>"))
     if step.predict is not None:
-        told = say("live-sheet-predict.text", time=f"{step.predict:g}")
+        told = say("live-sheet-predict.text", time=decimal(f"{step.predict:g}"))
         rows.append((said("live-sheet-predict"), html.escape(told)))
     if step.run:
         rows.append((said("live-sheet-run"), html.escape(run_text(step.run, begins))))

@@ -9,7 +9,7 @@ from typing import Literal
 import sim
 from sim.settings import SETTINGS
 
-from ..words import find, say
+from ..words import decimal, find, say
 from ..words.english import of
 from ..words.keys import Key
 
@@ -35,13 +35,14 @@ class Notice:
 
 def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
     """The notice that the simulation of a scene has stopped."""
-    stability, step = divergence.stability, f"{divergence.dt:.3g}"
-    cause, limit = stability.cause, f"{stability.limit:.2g}"
+    stability, step = divergence.stability, decimal(f"{divergence.dt:.3g}")
+    cause, limit = stability.cause, decimal(f"{stability.limit:.2g}")
     if cause is None or divergence.dt <= stability.limit:
+        most = decimal(f"{divergence.limit:,.0f}")
         text = say(
             "session-exploded.otherwise",
             step=str(divergence.step),
-            what=say(_WHAT[divergence.quantity], mass=str(divergence.mass), limit=f"{divergence.limit:,.0f}"),
+            what=say(_WHAT[divergence.quantity], mass=str(divergence.mass), limit=most),
             why=say(_why(divergence)),
             remedy=say(_remedy(divergence)),
         )
@@ -51,7 +52,7 @@ def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
         if setting is None:
             text = say("session-exploded.part", step=step, limit=limit, part=called)
         else:
-            value = f"{setting.read(scene):g}"
+            value = decimal(f"{setting.read(scene):g}")
             text = say("session-exploded.setting", step=step, limit=limit, setting=called, value=value)
     return Notice("error", say("session-exploded"), text, "runaway")
 
@@ -63,7 +64,7 @@ def shape_notice(error: sim.DesignError) -> Notice:
     if error.stiffening is None:
         text = say("session-shape.text" if error.motion is None else "session-shape.line", why=why)
     else:
-        times = f"{float(f'{error.stiffening:.3g}'):g}"  # as the button has it
+        times = decimal(f"{float(f'{error.stiffening:.3g}'):g}")  # as the button has it
         text = say(
             "session-shape.button" if error.motion is None else "session-shape.both", why=why, times=times
         )

@@ -22,7 +22,7 @@ from sim.motion.formulas import MAX_LENGTH
 from sim.motion.quantities import PARTS, Kind
 from sim.motion.recording import table_text
 
-from ..words import say
+from ..words import joined, say
 from .samples import Samples
 from .session import Session
 
@@ -143,7 +143,7 @@ class Plot:
         self.quantities = tuple(find(name, scene) for name in (*names, *((spec.over,) if spec.over else ())))
         self.spec = PlotSpec(tuple(q.name for q in self.quantities[: len(names)]), spec.over)
         if len(self.units) > MAX_UNITS:
-            raise InputError(say("session-plot-units", units=", ".join(self.units)))
+            raise InputError(say("session-plot-units", units=joined(self.units)))
         self._y_down = scene.view.y_down
         left, top, right, bottom = scene.view.frame
         self._least_length = scene.view.unit, MIN_LENGTH * max(right - left, bottom - top)

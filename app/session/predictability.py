@@ -14,7 +14,7 @@ import sim
 from sim.analysis.predictability import MANY, STILL, TwinTrajectory, factor_of, growth_within, horizon
 from sim.solve.registry import METHODS
 
-from ..words import say
+from ..words import decimal, say
 from .companions import Companion
 from .pacing import smoothed
 
@@ -131,16 +131,16 @@ def verdict(scene: sim.Scene, per_second: float) -> str:
         scene: the scene.
         per_second: the factor by which errors grow per second.
     """
-    adaptive, factor = METHODS[scene.integrator.method].adaptive, f"{per_second:.2g}"
+    adaptive, factor = METHODS[scene.integrator.method].adaptive, decimal(f"{per_second:.2g}")
     if per_second >= MANY:
-        seconds = f"{horizon(scene, per_second):.2g}"
+        seconds = decimal(f"{horizon(scene, per_second):.2g}")
         if adaptive:
             return say("session-errors-lost", factor=factor, seconds=seconds)
         return say("session-errors-lost.step", factor=factor, seconds=seconds)
     grows = per_second >= STILL
     if not adaptive:
         return say("session-errors-step.grow", factor=factor) if grows else say("session-errors-step")
-    tolerance = f"{scene.integrator.tolerance:g} {scene.view.unit}"
+    tolerance = decimal(f"{scene.integrator.tolerance:g} {scene.view.unit}")
     if grows:
         return say("session-errors-kept.grow", factor=factor, tolerance=tolerance)
     return say("session-errors-kept", tolerance=tolerance)

@@ -179,7 +179,7 @@ class Player:
             how = say("session-differs-apart", distance=decimal(f"{apart:.3g} {unit}"))
         else:
             how = say("session-differs-unknown")
-        step, time_then, agreed = str(check.step), f"{check.time:.6g}", str(self._agreed)
+        step, time_then, agreed = str(check.step), decimal(f"{check.time:.6g}"), str(self._agreed)
         number, checks = str(self._checks), str(self.record.checks)
         here, machine = str(log.this_machine()), str(self.record.machine)
         if here == machine:

@@ -3,6 +3,7 @@
 import { fit } from "./camera.js";
 import { iconHtml, makeButton, overCanvas } from "../ui/dialog.js";
 import { withKey } from "../ui/hands/key_table.js";
+import { startsRight } from "./sides.js";
 import { say } from "../words/words.js";
 
 /** Pixels between the arrow's middle and the edge. */
@@ -44,8 +45,8 @@ const between = (value, low, high) => Math.max(low, Math.min(high, value));
 const OBSTACLES = /** @type {const} */ ([
   [".softrod-edit.softrod-edit-row:not(.softrod-edit-closed)", "below"],
   [".softrod-hud", "below"],
-  [".softrod-box[data-open]", "right"],
-  [".softrod-edit:not(.softrod-edit-row)", "right"],
+  [".softrod-box[data-open]", "beside"],
+  [".softrod-edit:not(.softrod-edit-row)", "beside"],
   [".softrod-box-lid", "above"],
   [".softrod-edit-closed", "above"],
   [".softrod-menu-lid", "above"],
@@ -60,7 +61,7 @@ function uncovered({ x, y }) {
     if (x + INSET < left || x - INSET > right || y + INSET < top || y - INSET > bottom) continue;
     if (side === "above") y = top - INSET;
     else if (side === "below") y = bottom + INSET;
-    else x = right + INSET;
+    else x = startsRight ? left - INSET : right + INSET;
   }
   return { x, y };
 }

@@ -6,6 +6,7 @@ import { roundDown, roundUp } from "./axes.js";
 import { RING } from "./looks.js";
 import { degrees, jointAngles, lengthText } from "./measures.js";
 import { freePlace } from "./label.js";
+import { sidesOf, startsRight } from "./sides.js";
 import { takenPaper, takePaper } from "./taken.js";
 import { keepMarksDrawn, onMarksRedraw, redrawMarks } from "./sight.js";
 import { makeSvg, set } from "./svg.js";
@@ -146,7 +147,7 @@ function hintMark(add) {
   };
 }
 
-/** A bar of a round length at the top right. @param {Add} add */
+/** A bar of a round length at the top, where lines end. @param {Add} add */
 function scaleMark(add) {
   const bar = add("path", "softrod-scale");
   const length = add("text", "softrod-scale-text");
@@ -155,16 +156,18 @@ function scaleMark(add) {
   return ({ plan, on, box }) => {
     const perPixel = 1 / (plan.scale * on.step);
     const above = document.querySelector(".softrod-unfold")?.getBoundingClientRect();
-    const end = Math.min(box.right, above?.width ? above.left : Infinity) - 18;
-    // On a phone the head-up display reaches far to the right: the bar is shorter there, or else below it.
+    const edge = 18 + (above?.width ? Math.max(sidesOf(box).end, window.innerWidth - sidesOf(above).start) : sidesOf(box).end);
+    // On a phone the head-up display reaches far to the other side: the bar is shorter there, or else below it.
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
-    const room = end - 10 - (hud?.right ?? box.left);
+    const taken = hud ? window.innerWidth - sidesOf(hud).end : sidesOf(box).start;
+    const room = window.innerWidth - edge - 10 - taken;
     const usual = roundUp(BAR * perPixel);
     const fits = room >= SHORTEST ? Math.min(usual, roundDown(room * perPixel)) : usual;
     const size = fits / perPixel >= SHORTEST ? fits : usual;
-    const begin = end - size / perPixel;
+    const begin = startsRight ? edge : window.innerWidth - edge - size / perPixel;
+    const end = begin + size / perPixel;
     const head = document.querySelector(".softrod-over")?.getBoundingClientRect();
-    const free = hud && hud.right > begin - 10 ? hud.bottom : Math.max(box.top, head?.bottom ?? 0);
+    const free = hud && room < size / perPixel ? hud.bottom : Math.max(box.top, head?.bottom ?? 0);
     const low = free + 8 + parseFloat(getComputedStyle(length).fontSize) * 1.4;
     const state = [end, low, size, perPixel, pageState().unit].join(" ");
     if (state === last) return;
@@ -172,6 +175,7 @@ function scaleMark(add) {
     set(bar, { d: `M${begin} ${low - 5}v10M${begin} ${low}H${end}M${end} ${low - 5}v10` });
     set(length, { x: (begin + end) / 2, y: low - 9 });
     length.textContent = lengthText(size, pageState().unit ?? "");
+    document.documentElement.style.setProperty("--softrod-scale-foot", `${low + 5}px`);
     takePaper("scale", { left: begin, right: end, top: free, bottom: low + 5 });
   };
 }

@@ -13,7 +13,7 @@ const MAX_FACTOR = 4;
 /** Pixels of letters for which a browser's user has asked for larger ones; without that they have 16. */
 const LARGE_LETTERS = 20;
 /** Size of a window, px, in which letters of twice the usual size still leave room for the body. */
-const ROOM_FOR_DOUBLE = { width: 1400, height: 860 };
+const ROOM_FOR_DOUBLE = { width: 1280, height: 800 };
 
 const root = () => document.documentElement;
 
@@ -50,7 +50,7 @@ export function toggleProjector() {
 }
 
 /** Pixels of a phone's width that its sheet needs. */
-const NARROWEST = 320;
+const NARROWEST = 260;
 
 /** Pixels of letters as the browser's user wishes them. */
 let letters = 16;
@@ -68,7 +68,8 @@ function measureLetters() {
 
 /** The factor by which the panel and the tools are enlarged. */
 export function larger() {
-  if (isSheet()) return Math.max(1, Math.min(letters / 16, innerWidth / NARROWEST));
+  const room = innerWidth / NARROWEST;
+  if (isSheet()) return Math.max(1, Math.min(isAsked ? room : letters / 16, room));
   if (!isProjector()) return 1;
   const usual = Math.min(innerWidth / WIDTH, innerHeight / HEIGHT);
   const wished = Math.min(letters / 16, (2 * innerWidth) / ROOM_FOR_DOUBLE.width, (2 * innerHeight) / ROOM_FOR_DOUBLE.height);

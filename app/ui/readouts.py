@@ -19,7 +19,7 @@ from sim.solve.registry import METHODS
 from ..session.session import Session
 from ..stage.colors import Palette
 from ..stage.plan import broken_of, yielded_of
-from ..words import decimal, find, say
+from ..words import decimal, find, joined, say
 from ..words.english import of
 from ..words.keys import Key
 from ..words.settings import options_of
@@ -197,7 +197,7 @@ def rates_table(session: Session) -> str:
     rows = {
         say("rates-factor"): decimal(f"{rates.real_time_factor:.2f}"),
         say("rates-steps"): f"{rates.steps_per_second:.0f}",
-        say("rates-solver"): f"{rates.solver_ms:.3f} ms",
+        say("rates-solver"): decimal(f"{rates.solver_ms:.3f} ms"),
         say("rates-behind"): decimal(f"{rates.behind:.2f} s"),
     }
     if METHODS[session.simulation.method].adaptive:
@@ -220,10 +220,10 @@ def predictability_table(session: Session) -> str:
     if growth is None:
         return table({say("errors-grow"): say("errors-grow.measured")})
     rows = {
-        say("errors-factor"): f"× {factor_of(growth):.2g}",
+        say("errors-factor"): decimal(f"× {factor_of(growth):.2g}"),
         say("errors-rate"): f"{growth:+.2g} / s",
-        say("errors-time"): f"{1.0 / growth:.2g} s" if growth > 0.0 else say("errors-time.none"),
-        say("errors-solver"): f"{1e3 * meter.cost:.3f} ms",
+        say("errors-time"): decimal(f"{1.0 / growth:.2g} s") if growth > 0.0 else say("errors-time.none"),
+        say("errors-solver"): decimal(f"{1e3 * meter.cost:.3f} ms"),
     }
     kind = "softrod-lag" if meter.is_chaotic else "softrod-about"
     return f'{table(rows)}<div class="softrod-text {kind}">{html.escape(of(meter.verdict))}</div>'
@@ -297,7 +297,7 @@ def _effects(one: sim.Sensitivity, sag: float | None, unit: str) -> str:
     if one.frequency is not None and abs(0.01 * one.frequency) > _NEGLIGIBLE:
         key = "tuning-faster" if one.frequency > 0.0 else "tuning-slower"
         effects.append(say(key, percent=decimal(f"{abs(one.frequency):.2g}")))
-    return ", ".join(effects)
+    return joined(effects)
 
 
 def _vibration(vibration: Vibration) -> str:
@@ -330,10 +330,10 @@ def ghost_table(session: Session) -> str:
         say("ghost-title"): html.escape(ghost.label),
         say("ghost-distance"): decimal(f"{ghost.distance:.3g}") + f" {unit}",
         say("ghost-worst"): decimal(f"{ghost.worst:.3g}") + f" {unit}",
-        say("ghost-solver"): f"{1e3 * ghost.cost:.3f} ms",
+        say("ghost-solver"): decimal(f"{1e3 * ghost.cost:.3f} ms"),
     }
     if session.predictability is not None and session.predictability.growth is not None:
-        factor = f"{factor_of(session.predictability.growth):.2g}"
+        factor = decimal(f"{factor_of(session.predictability.growth):.2g}")
         rows[say("ghost-error")] = say("ghost-error.factor", factor=factor)
     if ghost.simulation.divergence is not None:
         rows[say("ghost-stopped")] = say("ghost-stopped.why")

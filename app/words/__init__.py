@@ -11,7 +11,9 @@ from __future__ import annotations
 
 import html
 import re
-from functools import cache
+from collections.abc import Iterable
+from functools import cache, reduce
+from typing import Literal
 
 from fluent.runtime import FluentBundle
 from fluent.syntax import FluentParser, ast
@@ -40,8 +42,8 @@ from .spoken import (
 
 __all__ = [
     "ENGLISH", "PSEUDO", "bundle_of", "choose", "decimal", "direction", "element", "entries", "find",
-    "language", "languages", "listed", "localized", "messages", "number", "of", "of_script", "pseudo",
-    "quoted", "say", "speaking", "way_of",
+    "joined", "language", "languages", "listed", "localized", "messages", "number", "of", "of_script",
+    "pseudo", "quoted", "say", "speaking", "way_of",
 ]  # fmt: skip
 
 _KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')
@@ -57,6 +59,14 @@ def say(key: Key, **values: str | float) -> str:
         values: what stands in its places; whole numbers choose between its plural forms.
     """
     return _text(language(), key, **values)
+
+
+def joined(
+    items: Iterable[str], by: Literal["language-comma", "language-semicolon"] = "language-comma"
+) -> str:
+    """Some texts after one another, as in "a, b, c"; empty ones are left out."""
+    told = [item for item in items if item]
+    return reduce(lambda before, after: say(by, before=before, after=after), told) if told else ""
 
 
 def find(key: str, otherwise: str = "") -> str:

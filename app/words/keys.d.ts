@@ -25,6 +25,7 @@ export type Words = {
   "taps-held": "thing";
   "taps-put": "thing";
   "taps-back": "thing";
+  "taps-nothing": never;
   "taps-button": never;
   "taps-selection": never;
   "taps-frame": never;
@@ -1026,6 +1027,8 @@ export type Words = {
   "language-name": never;
   "language-direction": never;
   "language-quoted": "text";
+  "language-comma": "before" | "after";
+  "language-semicolon": "before" | "after";
   "lesson-card": never;
   "lesson-right": never;
   "lesson-answer": "choice";

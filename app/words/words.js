@@ -40,6 +40,20 @@ export const tied = (text) => text.replace(MEASURED, "$1\u00a0");
 /** A number with its unit, which keeps its direction in a text from right to left. @param {string} text */
 export const upright = (text) => (direction === "rtl" ? `\u2066${text}\u2069` : text);
 
+/** Some texts as a list, as in "a, b and c". @param {string[]} items */
+export const listed = (items) => new Intl.ListFormat(language === "en" ? "en-GB" : language).format(items);
+
+/**
+ * Some texts after one another, as in "a, b, c"; empty ones are left out.
+ *
+ * @param {(string | false | null | undefined)[]} items
+ * @param {"language-comma" | "language-semicolon"} by
+ */
+export function joined(items, by = "language-comma") {
+  const told = /** @type {string[]} */ (items.filter(Boolean));
+  return told.length ? told.reduce((before, after) => say(by, { before, after })) : "";
+}
+
 /** A text as it is searched: in lower case, without accents, of the same length. @param {string} text */
 export const folded = (text) =>
   [...text.toLocaleLowerCase(words.language)].map((letter) => letter.normalize("NFD")[0].replace("\u2019", "'").padEnd(letter.length)).join("");

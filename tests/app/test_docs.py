@@ -50,6 +50,13 @@ def test_the_reference_pages_are_linked_from_the_readme() -> None:
         assert f"](docs/{page.name})" in readme, page.name
 
 
+def test_a_number_of_lessons_is_right() -> None:
+    texts = "".join(page.read_text() for page in PAGES)
+    told = re.findall(r"(\w+) lessons (?:with|come)", texts)
+    lessons = sorted((ROOT / "presets" / "lessons").glob("*.json"))
+    assert set(told) == {str(len(lessons))}
+
+
 def test_the_page_on_access_has_every_criterion_and_tests_that_are_there() -> None:
     text = (DOCS / "access.md").read_text()
     lines = [line for line in text.splitlines() if re.match(r"\| \d\.\d\.\d+ ", line)]

@@ -418,7 +418,7 @@ def test_formulas_in_a_step_are_named_as_they_are_and_read_their_masses() -> Non
     [
         ("en", "period of the body: at most 2 s, for 0.5 s; "
          "mass 1 is pulled 3 px right and 4 px up and let go."),
-        ("de", "Periodendauer des Körpers: höchstens 2 s, 0.5 s lang; "
+        ("de", "Periodendauer des Körpers: höchstens 2 s, 0,5 s lang; "
          "Masse 1 wird 3 px nach rechts und 4 px nach oben gezogen und losgelassen."),
     ],
 )  # fmt: skip

@@ -38,7 +38,7 @@ def test_a_plot_is_chosen_and_told_in_the_page_s_language() -> None:
         assert "mass2.speed" in text
         assert "kein Spektrum" in text
         assert page.gui["Kräfte"].hint.startswith("die Gesamtkraft")
-        assert page.gui["Stroboskop"].options[:2] == ("aus", "alle 0.05 s")
+        assert page.gui["Stroboskop"].options[:2] == ("aus", "alle 0,05 s")
 
 
 def test_quantities_are_called_in_the_language_that_is_spoken() -> None:
@@ -76,7 +76,7 @@ def test_which_method_suits_a_scene_is_said_as_by_sim_and_in_the_page_s_language
             advice = Advice(tried, doubt, moved)
             assert advice_for(advice, 1.0) == advice.sentence(1.0)
     with speaking("de"):
-        assert "nimm Runge-Kutta 4 mit 2 ms, das 0.05 px" in advice_for(Advice((rk4, auto), 0.0, 9.0), 1.0)
+        assert "nimm Runge-Kutta 4 mit 2 ms, das 0,05 px" in advice_for(Advice((rk4, auto), 0.0, 9.0), 1.0)
 
 
 def test_what_is_taken_home_is_offered_in_the_page_s_language() -> None:
@@ -135,3 +135,9 @@ def test_what_a_control_calls_speaks_the_language_it_was_made_in() -> None:
         on_press(handle, lambda: said.append(language()), blocks=True)
     handle.enter()
     assert said == ["de"]
+
+
+def test_errors_are_told_with_the_decimals_of_the_page_s_language() -> None:
+    scene = sim.load_scene("rope")
+    with speaking("de"):
+        assert "2,5" in verdict(scene, 2.5)

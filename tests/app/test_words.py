@@ -21,6 +21,7 @@ from app.words import (
     choose,
     decimal,
     find,
+    joined,
     language,
     languages,
     listed,
@@ -83,6 +84,18 @@ def test_a_text_is_said_in_the_language_that_is_spoken() -> None:
             assert say("language-name") == "Éñğļîšh···"
         assert language() == "de"
     assert say("language-name") == "English"
+
+
+def test_lists_have_the_marks_of_their_language() -> None:
+    assert joined(("a", "", "b", "c")) == "a, b, c"
+    with speaking("ar"):
+        plain = joined(("a", "b"), "language-semicolon") + joined(("a", "b"))
+        assert re.sub("[\u200f\u2068\u2069]", "", plain) == "a؛ ba، b"
+    by_hand = re.compile(r"""["'](?:, |; )["']\.join|\.join\(["'](?:, |; )["']\)""")
+    for folder in ("features", "pages", "classroom"):
+        for path in (ROOT / "app" / folder).rglob("*.*"):
+            if path.suffix in (".py", ".js"):
+                assert not by_hand.search(path.read_text(encoding="utf-8")), path
 
 
 @pytest.mark.parametrize(

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import expect
 
 import sim
 from app.session import commands
 from tests.browser.conftest import OpenPage
-from tests.browser.driver import Desk, box_of, sandboxes
+from tests.browser.driver import Desk, box_of, middle_of, sandboxes
 from tests.browser.test_wcag import pale
 
 WORDS = "pack my box with five dozen liquor jugs, 0 or 10. Then go on: quit? "
@@ -82,6 +83,44 @@ def test_a_language_from_right_to_left_has_the_panel_at_the_left_and_time_and_nu
     assert at["canvas"]["left"] >= at[".softrod-panel"]["right"] - 1
     assert at[".softrod-number"]["right"] <= at[".softrod-unit"]["left"] < at[".softrod-label"]["left"]
     assert at[".softrod-play"]["right"] < at[".softrod-clock"]["left"]
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (390, 844)])
+def test_from_right_to_left_all_that_lies_over_the_canvas_is_mirrored(
+    open_page: OpenPage, size: tuple[int, int]
+) -> None:
+    """But for the bar of time, whose play button and order are those of all languages."""
+    phone = size[0] < 600
+    names = ["menu-lid", "box-lid", "edit", "hud", "scale", *(["scene", "pad"] if phone else [])]
+    found = {}
+    for tag in ("en", "ar"):
+        desk = open_page("rope", size, phone=phone, path=f"/?lang={tag}")
+        desk.tell(commands.Play(False))
+        desk.made_room()
+        canvas = box_of(desk.page.locator("canvas").first)
+        middle = canvas["x"] + canvas["width"] / 2.0
+        at = {name: middle_of(desk.page.locator(f".softrod-{name}").first)[0] - middle for name in names}
+        found[tag] = {name: side > 0.0 for name, side in at.items()}
+        undo = desk.page.locator(".softrod-edit-step svg").first
+        turned = undo.evaluate("(svg) => getComputedStyle(svg).scale")
+        assert turned == {"en": "none", "ar": "-1 1"}[tag]
+        play = desk.page.locator(".softrod-play svg").first
+        assert play.evaluate("(svg) => getComputedStyle(svg).scale") == "none"
+    assert found["ar"] == {name: not side for name, side in found["en"].items()}
+
+
+def test_an_axis_has_its_title_in_the_direction_of_its_words(open_page: OpenPage) -> None:
+    desk = open_page("rope", path="/?lang=ar")
+    desk.page.keyboard.press("g")
+    desk.page.locator(".softrod-chart text.softrod-axis").filter(has_text="،").first.wait_for()
+    words, unit = desk.page.evaluate(
+        """() => {
+          const titles = [...document.querySelectorAll(".softrod-chart text.softrod-axis")];
+          const text = titles.find((one) => one.textContent.includes("،"));
+          return [1, text.textContent.length - 2].map((at) => text.getStartPositionOfChar(at).x);
+        }"""
+    )
+    assert unit < words
 
 
 def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page: OpenPage) -> None:

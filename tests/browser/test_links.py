@@ -71,6 +71,21 @@ def test_a_link_opens_its_scene_before_what_the_page_had_kept(open_page: OpenPag
     assert desk.session.scene.pose is not None
 
 
+def test_the_address_names_no_scene_but_the_open_one(open_page: OpenPage) -> None:
+    desk = open_page(size=SMALL)
+    desk.open("/?scene=ring&lang=de")
+    desk.until(lambda: desk.session.scene.name == "ring" and desk.is_kept(), "the ring is open, and kept")
+    asked = "location.search"
+    desk.open("/?scene=ring&lang=de")
+    assert "scene=ring" in desk.page.evaluate(asked)
+    desk.tell(commands.Open(sim.load_scene("tree")))
+    desk.until(lambda: "scene=" not in desk.page.evaluate(asked), "the ring's address goes")
+    assert "lang=de" in desk.page.evaluate(asked)
+    desk.until(desk.is_kept, "the page has the tree")
+    desk.open("/?lang=de")
+    desk.until(lambda: desk.session.scene.name == "tree", "a reload shows what was open")
+
+
 def test_a_hostile_scene_is_shown_as_text(open_page: OpenPage) -> None:
     """In the panel, in a lesson, and on a card of the gallery."""
     evil = "<img src=x onerror=window.pwned=1>"

@@ -99,6 +99,18 @@ def test_what_is_picked_up_can_be_put_back(open_page: OpenPage) -> None:
     assert (desk.simulation.positions[0] == before).all()
 
 
+def test_a_tap_beside_all_masses_says_that_nothing_is_there(open_page: OpenPage) -> None:
+    desk = begin(open_page, phone=True)
+    tap(desk, (80.0, 300.0))
+    nothing = "There is nothing to pick up here; a body that is paused is easier to tap."
+    desk.until(lambda: note(desk).inner_text() == nothing and said(desk, nothing), "it says so")
+    pick_up(desk, desk.place(0), "mass 0")
+    assert note(desk).get_by_role("button", name="Put back").is_visible()
+    scale, over = box_of(desk.page.locator(".softrod-scale")), box_of(note(desk))
+    below = over["y"] >= scale["y"] + scale["height"]
+    assert below or over["x"] + over["width"] <= scale["x"], "the scale bar is seen, too"
+
+
 def test_without_the_switch_a_tap_is_a_click(open_page: OpenPage) -> None:
     desk = open_page(size=DESK)
     desk.tell(commands.Play(False))

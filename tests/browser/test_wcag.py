@@ -171,6 +171,16 @@ def test_in_the_smallest_window_a_step_of_a_lesson_is_done(all_places: Places, n
     all_places.close()
 
 
+@pytest.mark.parametrize("name", ["seat"])
+def test_in_the_smallest_window_each_phase_of_a_class_is_usable(all_places: Places, name: str) -> None:
+    all_places.close()
+    page, _ = shown(all_places, name, SMALLEST)
+    questions = ("sideways",), ("cut",), ("unreached", "body")
+    found = {state: measured(page, *questions) for state in all_places.states(name)}
+    all_places.close()
+    assert {state: faults for state, faults in found.items() if faults} == {}
+
+
 def test_at_twice_the_size_nothing_is_cut_or_covered(all_places: Places, name: str) -> None:
     page, _ = shown(all_places, name, DOUBLE)
     questions = ("sideways",), ("cut",), *([] if name in TEACHING else [("unreached", "body")])
@@ -239,7 +249,36 @@ def test_all_letters_grow_with_those_of_the_browser(all_places: Places, name: st
     all_places.close()
     both = usual.keys() & large.keys()
     assert both
-    assert {text: (usual[text], large[text]) for text in both if large[text] < 1.4 * usual[text]} == {}
+    assert {text: (usual[text], large[text]) for text in both if large[text] < 1.95 * usual[text]} == {}
+    assert faults == []
+
+
+TARGETS = """() => Object.fromEntries([...document.querySelectorAll("button, select, input, summary")]
+  .filter((element) => element.checkVisibility({ visibilityProperty: true }) && element.type !== "range")
+  .map((element) => {
+    const { width, height } = element.getBoundingClientRect();
+    const name = `${element.ariaLabel ?? ""} ${element.textContent} ${element.className}`;
+    return [name, [Math.min(width, 48), height]];
+  }))"""
+"""Sizes of what can be pressed, px; of widths 48 are enough."""
+
+
+@pytest.mark.parametrize("name", ["phone", "lesson on a phone"])
+def test_larger_enlarges_all_that_a_phone_shows_and_no_target_shrinks(all_places: Places, name: str) -> None:
+    all_places.close()
+    page, _ = shown(all_places, name)
+    usual, sizes = page.evaluate(TEXTS), page.evaluate(TARGETS)
+    page.keyboard.press("p")
+    page.wait_for_timeout(600)
+    large, after = page.evaluate(TEXTS), page.evaluate(TARGETS)
+    faults = measured(page, ("sideways",), ("unreached", "body"))
+    all_places.close()
+    both = usual.keys() & large.keys()
+    assert len(both) > 10
+    assert {text: (usual[text], large[text]) for text in both if large[text] < 1.35 * usual[text]} == {}
+    shared = sizes.keys() & after.keys()
+    shrunk = {one for one in shared if any(b < a - 1.0 for a, b in zip(sizes[one], after[one], strict=True))}
+    assert shrunk == set()
     assert faults == []
 
 

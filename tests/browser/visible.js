@@ -271,8 +271,8 @@
     for (const input of document.querySelectorAll("input:not([type=range], [type=checkbox], [type=radio]), select")) {
       if (!isShown(input) || !front().contains(input)) continue;
       const text = input.localName === "select" ? tidy(input.selectedOptions[0]?.text) : input.value;
-      const { font, paddingLeft, paddingRight } = getComputedStyle(input);
-      pen.font = font;
+      const { fontWeight, fontSize, fontFamily, paddingLeft, paddingRight } = getComputedStyle(input);
+      pen.font = `${fontWeight} ${fontSize} ${fontFamily}`; // the shorthand is empty where figures are tabular
       const free = input.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
       if (pen.measureText(text).width > free + 1) tell(input, `${named(input)} ${text}`, "longer than its box");
     }

@@ -294,9 +294,14 @@ export function show(places, springs = [], joints = []) {
     [generation, 0.01, 400, 300, -1, 0, 1, 8, -1], all(0.05), springs.flat(), all(30, springs.length), all(0.02, springs.length), [1],
     joints.flat(), all(0, joints.length),
   ];
-  const numbers = (sections) => new Float32Array(sections.flatMap((section) => [section.length, ...section]));
   tell("plan", {}, numbers(plan));
-  tell("frame", { wall: now / 1e3 }, numbers([[generation, 0, 1, 0], places.flat(), []]));
+  showAt(places);
+}
+const numbers = (sections) => new Float32Array(sections.flatMap((section) => [section.length, ...section]));
+
+/** Shows the same body somewhere else. */
+export function showAt(places) {
+  tell("frame", { wall: now / 1e3 }, numbers([[generation, now / 1e3, 1, 0], places.flat(), []]));
   pass();
 }
 become();

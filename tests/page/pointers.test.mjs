@@ -1,11 +1,13 @@
 // Mice, pens and fingers that take hold of masses, and what of it viser's camera hears.
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
-import { become, canvas, heard, pass, point, put, show } from "./page.mjs";
+import { become, canvas, heard, pass, point, put, show, showAt } from "./page.mjs";
+import { setAccess } from "../../app/ui/access.js";
 import { change } from "../../app/features/edit/editing.js";
 import { listenToEdits } from "../../app/features/edit/gestures.js";
 import { listenToPointer } from "../../app/ui/hands/pointer.js";
 import { listenToPresses } from "../../app/ui/hands/presses.js";
+import { MISSED } from "../../app/ui/hands/take.js";
 
 listenToPresses();
 listenToEdits();
@@ -84,6 +86,24 @@ test("a mass is taken hold of from beside it, by a finger from farther off than 
     point("move", at(3, x), { buttons: 0 });
     assert.equal(document.documentElement.hasAttribute("data-softrod-near"), near);
   }
+});
+
+test("a tap instead of a drag takes what is near, from farther off while it moves, and else finds nothing", () => {
+  let misses = 0;
+  document.documentElement.addEventListener(MISSED, () => (misses += 1));
+  const tap = (x) => {
+    point("down", at(3, x));
+    point("up", at(3, x));
+    return done().map((one) => one.split(" ")[0]);
+  };
+  setAccess({ taps: true });
+  show(PLACES, [[0, 1], [1, 2]]);
+  assert.deepEqual([tap(23), tap(25), misses], [["grab", "drop", "pick"], [], 1]);
+  const moved = (x) => PLACES.map(([px, py], i) => [i === 3 ? px + x : px, py]);
+  for (const x of [0, 10, 20, 30, 40]) showAt(moved(x));
+  assert.deepEqual([tap(75), tap(130), misses], [["grab", "drop", "pick"], [], 2]);
+  setAccess({ taps: false });
+  assert.deepEqual([tap(23), misses], [[], 2], "without taps nobody says so");
 });
 
 test("a press on the canvas gives the keys back to the body", () => {

@@ -18,7 +18,7 @@ from sim.scene.types import keys_of
 
 from ...bundle import bundle, compact_style
 from ...stage.looks import ICONS, style_rules
-from ...words import listed, say
+from ...words import joined, listed, say
 from ...words.english import name_of
 from ...words.keys import Key
 from ..body.features import features_of
@@ -71,7 +71,7 @@ def live_html(moment: sim.Moment, bar: Bar | None = None) -> tuple[bytes, list[s
     has |= {"HAS_DERIVED": bool(derived_of(scene)), "HAS_LESSON": scene.lesson is not None}
     style, script = _looks(has["HAS_LESSON"]), _script(*(name for name, needed in has.items() if needed))
     notes = _notes(scene)
-    note = say("live-notes", notes="; ".join(notes)) if notes else ""
+    note = say("live-notes", notes=joined(notes, "language-semicolon")) if notes else ""
     play, reset = icon(play=ICONS["play"], pause=ICONS["pause"]), icon(reset=ICONS["reset"])
     arrows = "".join(
         f'<button type="button" data-softrod-key="{key}" aria-label="{html.escape(label)}">{sign}</button>'

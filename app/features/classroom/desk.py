@@ -24,7 +24,7 @@ from ...session.session import Notice, Session
 from ...ui.controls import Controls
 from ...wire import from_page
 from ...wire.carrier import Mail
-from ...words import language, say
+from ...words import joined, language, say
 from ...words.english import of
 from ..files.sharing import qr_code
 from . import messages
@@ -225,7 +225,7 @@ class DeskRole(ClassRole):
             count = say("desk-brought-known", name=imported.name, count=imported.new, known=imported.known)
         else:
             count = say("desk-brought", name=imported.name, count=imported.new)
-        steps = ", ".join(map(str, imported.reached))
+        steps = joined(map(str, imported.reached))
         goals = say("desk-brought-goals", count=len(imported.reached), steps=steps) if steps else ""
         self._mail.send(Brought(told=f"{count} {goals}".rstrip()))
 

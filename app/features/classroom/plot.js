@@ -2,7 +2,7 @@
 /** The class's plot: what each seat found over what it set, a point a seat. */
 import { axisMarks } from "../../stage/axes.js";
 import { makeSvg, set } from "../../stage/svg.js";
-import { say } from "../../words/words.js";
+import { decimal, joined, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Found} Found */
 /** @typedef {import("../../wire/wire.js").Law} Law */
@@ -58,7 +58,7 @@ function powers(low, high) {
 }
 
 /** A number as it stands at an axis. @param {number} number */
-const short = (number) => (number !== 0 && (Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3) ? number.toExponential() : String(number)).replace("-", "−");
+const short = (number) => decimal((number !== 0 && (Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3) ? number.toExponential() : String(number)).replace("-", "−"));
 
 /** Raised digits, signs and points. @type {Record<string, string>} */
 const RAISED = { "-": "⁻", ".": "·", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
@@ -66,7 +66,7 @@ const RAISED = { "-": "⁻", ".": "·", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: 
 /** A power law in words. @param {Law} law @param {Axes} axes */
 export const power = ({ factor, exponent }, { what, over }) => {
   const raised = Math.abs(exponent - 1) < PLAIN ? "" : exponent.toFixed(2).replace(/./g, (sign) => RAISED[sign]);
-  return `${what} = ${Number(factor.toPrecision(3))} × ${over}${raised}`.replace(/-/g, "−");
+  return `${what} = ${decimal(String(Number(factor.toPrecision(3))))} × ${over}${raised}`.replace(/-/g, "−");
 };
 
 /**
@@ -122,7 +122,7 @@ export function plot(found, axes, { law = null, own = null } = {}) {
     const side = x.part(own.setting) > 0.5 ? "end" : "start";
     add("text", { class: "softrod-plot-you", x: across(own.setting) + (side === "end" ? -14 : 14), y: up(own.found) - 10, "text-anchor": side }, say("class-plot-you", { value: short(Number(own.found.toPrecision(4))) }));
   }
-  add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle" }, over_unit ? `${over}, ${over_unit}` : over);
-  add("text", { x: 4, y: 18 }, unit ? `${what}, ${unit}` : what);
+  add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle", class: "softrod-axis" }, joined([over, over_unit]));
+  add("text", { x: 4, y: 18, class: "softrod-axis" }, joined([what, unit]));
   return svg;
 }

@@ -2,7 +2,7 @@
 /** The right-hand part of the teacher's page: the class as it is. Who is there, what their bodies do, and what they gave. */
 import { send } from "../../wire/channel.js";
 import { make, untranslated } from "../../ui/dialog.js";
-import { say } from "../../words/words.js";
+import { joined, say } from "../../words/words.js";
 import { box, button, fold, icon, voteBars } from "./elements.js";
 import { OWN_BODY, PREDICTED } from "./phases.js";
 import { plot, power } from "./plot.js";
@@ -138,8 +138,8 @@ function seats(desk) {
   const tiles = seats.map((seat) => {
     const { number, name, color, here, two, hand, answered } = seat;
     const { choice, dots } = gaveOf(desk, number);
-    const said = [state(seat, hasOwn && !gathered), choice, number === seat_on_wall ? say("desk-on-wall") : ""].filter(Boolean).join(", ");
-    const label = [name, two ? say("desk-two") : "", said, dots.length ? say("desk-has-predicted") : "", answered ? say("desk-has-answered") : "", hand ? say("desk-hand") : ""].filter(Boolean).join(", ");
+    const said = joined([state(seat, hasOwn && !gathered), choice, number === seat_on_wall && say("desk-on-wall")]);
+    const label = joined([name, two && say("desk-two"), said, dots.length > 0 && say("desk-has-predicted"), answered && say("desk-has-answered"), hand && say("desk-hand")]);
     const tile = button("", () => choose(number), { focus: `seat${number}`, name: "softrod-tile", label });
     if (hasPicture) tile.append(poster(hasOwn ? number : 0, dots));
     tile.append(nameOf("span", seat), ...(said ? [make("small", "", said)] : []));
@@ -152,7 +152,7 @@ function seats(desk) {
   });
   const here = counted(seats), away = seats.length - here;
   const hands = up.length
-    ? [box("span", "softrod-desk-hands", icon("hand"), up.join(", ")), button(say("desk-lower-hands"), () => send({ do: "arrange", what: "lowerHands" }))]
+    ? [box("span", "softrod-desk-hands", icon("hand"), joined(up)), button(say("desk-lower-hands"), () => send({ do: "arrange", what: "lowerHands" }))]
     : [];
   return box(
     "section",

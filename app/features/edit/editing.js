@@ -14,7 +14,7 @@
  * @typedef {Line | Marquee | Move | Stroke | Turn} Drag
  */
 import { has } from "../../wire/channel.js";
-import { say } from "../../words/words.js";
+import { joined, say } from "../../words/words.js";
 
 export const editing = {
   /** Whether the tools are shown. */
@@ -91,7 +91,7 @@ export const kindsOf = ({ masses, springs, joints }) => [
 ];
 
 /** A selection in words, as in "2 masses, 1 spring". @param {Parts} parts */
-export const inWords = (parts) => kindsOf(parts).join(", ");
+export const inWords = (parts) => joined(kindsOf(parts));
 
 /** The same; a single part by its number. @param {Parts} parts */
 export function nameOf(parts) {

@@ -37,7 +37,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import on_change
 from ...ui.viser.look import describe_control
 from ...ui.viser.slider_box import TOUCHED, alike, allows, range_of, rounded
-from ...words import find, say
+from ...words import find, joined, say
 from ...words.keys import Key
 
 EVERY = 0.1
@@ -103,7 +103,7 @@ def parts_of(selection: Selection, kind: Kind) -> Collection[int]:
 def describe(selection: Selection) -> str:
     """Describe a selection, as in "2 masses, 3 springs"."""
     kinds = zip(selection, _COUNTED, strict=True)
-    return ", ".join(say(key, count=len(parts)) for parts, key in kinds if parts)
+    return joined(say(key, count=len(parts)) for parts, key in kinds if parts)
 
 
 def label_of(of: Number) -> str:

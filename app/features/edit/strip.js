@@ -1,5 +1,5 @@
 // @ts-check
-/** The strip of tools at the left of the canvas, and the bar with what can be done to the selection. */
+/** The strip of tools where lines start on the canvas, and the bar with what can be done to the selection. */
 import { onMessage, send } from "../../wire/channel.js";
 import { copySelection, pasteHere } from "./clipboard.js";
 import { COMMANDS } from "../../wire/commands.js";
@@ -12,6 +12,7 @@ import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, larger } from "../../ui/looks.js";
 import { setTakesNewLengths, takesNewLengths } from "./move.js";
 import { floorOf } from "../../stage/dock.js";
+import { sidesOf } from "../../stage/sides.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { canvasBox } from "../../ui/viser/viser.js";
@@ -37,7 +38,7 @@ const WAITS_FOR = {
 
 /** Pixels between buttons over the bar of time and what stands next to them. */
 const GAP = 10;
-/** Pixels between the strip and the left edge of the canvas. */
+/** Pixels between the strip and the edge of the canvas. */
 const MARGIN = 14;
 /** Pixels by which the text above the tools may become shorter, as when the clock runs, while the tools stay in place. */
 const SLACK = 60;
@@ -100,6 +101,7 @@ class EditStrip {
     this.tools.append(...this.buttons.map(({ button }) => button));
     this.undo = iconButton("undo", () => stepBack("undo"));
     this.redo = iconButton("redo", () => stepBack("redo"));
+    for (const button of [this.undo, this.redo]) button.classList.add("softrod-edit-step");
     this.strip.append(this.lid, this.tools, this.undo, this.redo);
 
     this.bar = toolbar("softrod-edit-bar softrod-floats", say("edit-bar"));
@@ -172,7 +174,8 @@ class EditStrip {
     const { on, selected, tool } = editing;
     const { strip, bar, count, hint } = this;
     const hud = document.querySelector(".softrod-hud")?.getBoundingClientRect();
-    const left = canvas.left + MARGIN;
+    const { start, end } = sidesOf(canvas);
+    const outer = start + MARGIN;
     const free = Math.max(canvas.top, hud?.bottom ?? 0) + GAP;
     const top = free < this.top && this.top < free + SLACK ? this.top : free;
     this.top = on ? top : 0;
@@ -188,21 +191,21 @@ class EditStrip {
     if (count.textContent !== counted) count.textContent = counted;
     const waits = isRow && !words ? WAITS_FOR[tool] : "";
     if (hint.textContent !== waits) hint.textContent = waits;
-    const right = left + widthOf(".softrod-box-lid"); // of the box of instruments
+    const inner = outer + widthOf(".softrod-box-lid"); // of the box of instruments
     const below = window.innerHeight - floor;
     if (!on) {
-      Object.assign(strip.style, { left: `${right}px`, top: "auto", bottom: `${below + GAP}px` });
+      Object.assign(strip.style, { insetInlineStart: `${inner}px`, top: "auto", bottom: `${below + GAP}px` });
       return;
     }
     // A row is as wide as a phone, where the scale bar is, too.
     const scale = document.querySelector(".softrod-scale")?.getBoundingClientRect();
-    const under = isRow && scale && scale.left < left + strip.offsetWidth ? scale.bottom : 0;
+    const under = isRow && scale && window.innerWidth - sidesOf(scale).end - scale.width < outer + strip.offsetWidth ? scale.bottom : 0;
     // On a phone it takes all of the width, so that each tool has room for a thumb.
-    const begin = isSheet() ? canvas.left + 1 : left;
-    Object.assign(strip.style, { left: `${begin}px`, top: `${Math.max(top, under + GAP)}px`, bottom: "auto" });
+    const begin = isSheet() ? start + 1 : outer;
+    Object.assign(strip.style, { insetInlineStart: `${begin}px`, top: `${Math.max(top, under + GAP)}px`, bottom: "auto" });
     // Over the bar of time, between the box of instruments and the View menu.
-    const maxWidth = `${canvas.right - right - widthOf(".softrod-menu-lid") - MARGIN}px`;
-    Object.assign(bar.style, { left: `${right}px`, maxWidth, bottom: `${below + 8}px` });
+    const maxWidth = `${window.innerWidth - end - inner - widthOf(".softrod-menu-lid") - MARGIN}px`;
+    Object.assign(bar.style, { insetInlineStart: `${inner}px`, maxWidth, bottom: `${below + 8}px` });
   }
 }
 

@@ -19,7 +19,7 @@ from ...export.formats import FORMATS, Format, Options, Source
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press
-from ...words import say
+from ...words import joined, say
 from ...words.english import refusal
 
 SECONDS = (1, 20)
@@ -97,7 +97,7 @@ class ExportPanel:
             made = wanted.make(source, options)
             if made.notes:
                 about = say("files-about-file" if button.icon else "files-about-program")
-                self._tell("info", about, _sentence("; ".join(made.notes)))
+                self._tell("info", about, _sentence(joined(made.notes, "language-semicolon")))
             data = made.as_one(name)
             self._client.send_file_download(f"{name}.{button.saved_as}", data, save_immediately=True)
         except InputError as error:

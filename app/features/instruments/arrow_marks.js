@@ -5,8 +5,9 @@ import * as arrows from "./arrows.js";
 import { onMessage, pageState } from "../../wire/channel.js";
 import { unpack } from "../../wire/unpack.js";
 import { insertMarksLayer, onMarksRedraw, redrawMarks } from "../../stage/sight.js";
+import { sidesOf, startsRight } from "../../stage/sides.js";
 import { makeSvg, set } from "../../stage/svg.js";
-import { say } from "../../words/words.js";
+import { decimal, say } from "../../words/words.js";
 
 /** Length of the longest arrow, as a fraction of the canvas's shorter side. */
 const LENGTH = 0.17;
@@ -15,6 +16,8 @@ const MIN_LENGTH = 52;
 const MAX_LENGTH = 110;
 /** Pixels between the end of a sample arrow and the edge of the canvas. */
 const MARGIN = 18;
+/** Pixels between it and its words. */
+const GAP = 8;
 /** Distance between two samples, in heights of the text. */
 const LINE = 1.9;
 /** Milliseconds after which a still picture is redrawn, so that its scale can become finer. */
@@ -36,7 +39,10 @@ export function unitOf(kind, unit) {
 
 /** A round number as text. @param {number} value */
 export const roundText = (value) =>
-  value >= 1e5 || value < 1e-3 ? value.toExponential(0).replace("e+", "e") : String(Number(value.toPrecision(2)));
+  decimal(value >= 1e5 || value < 1e-3 ? value.toExponential(0).replace("e+", "e") : String(Number(value.toPrecision(2))));
+
+/** Where a sample of some length begins, at the end of lines. @param {DOMRect} box of the canvas @param {number} length */
+const beginOf = (box, length) => (startsRight ? sidesOf(box).end + MARGIN : box.right - MARGIN - length);
 
 /** The arrows of one kind, with their sample. */
 class ArrowMarks {
@@ -66,24 +72,24 @@ class ArrowMarks {
       return false;
     }
     const unit = scale.update(arrows.largest(values, kind === "torques" ? 1 : 2), numbers.least[KINDS.indexOf(kind)], performance.now() / 1e3);
-    const end = seen.box.right - MARGIN;
-    if (kind === "torques") this.drawTorques(seen, numbers, unit, end, y, 0.62 * height);
-    else this.drawVectors(kind, seen, numbers, unit, end, y);
+    const length = kind === "torques" ? this.drawTorques(seen, numbers, unit, y, 0.62 * height) : this.drawVectors(kind, seen, numbers, unit, y);
+    const begin = beginOf(seen.box, length);
+    set(this.words, { x: startsRight ? begin + length + GAP : begin - GAP, y });
     set(this.rim, { d: (this.body.getAttribute("d") ?? "") + (this.held.getAttribute("d") ?? "") });
     const text = say(NAMES[kind], { value: `${roundText(unit)} ${unitOf(kind, pageState().unit ?? "")}` });
     if (this.words.textContent !== text) this.words.textContent = text;
     return true;
   }
 
-  /** @param {Sight} seen @param {arrows.Numbers} numbers @param {number} unit @param {number} end @param {number} y @param {number} radius of the sample */
-  drawTorques({ plan, on, places, box }, numbers, unit, end, y, radius) {
+  /** @param {Sight} seen @param {arrows.Numbers} numbers @param {number} unit @param {number} y @param {number} radius of the sample */
+  drawTorques({ plan, on, places, box }, numbers, unit, y, radius) {
     set(this.body, { d: arrows.torqueArrows(plan, numbers, places, unit, on.step, box) });
-    set(this.sample, { d: arrows.turnArrow(end - radius, y, radius, -Math.PI / 2, 1.5 * Math.PI) });
-    set(this.words, { x: end - 2 * radius - 8, y });
+    set(this.sample, { d: arrows.turnArrow(beginOf(box, 2 * radius) + radius, y, radius, -Math.PI / 2, 1.5 * Math.PI) });
+    return 2 * radius;
   }
 
-  /** @param {"forces" | "velocities"} kind @param {Sight} seen @param {arrows.Numbers} numbers @param {number} unit @param {number} end @param {number} y */
-  drawVectors(kind, { plan, places, box }, numbers, unit, end, y) {
+  /** @param {"forces" | "velocities"} kind @param {Sight} seen @param {arrows.Numbers} numbers @param {number} unit @param {number} y */
+  drawVectors(kind, { plan, places, box }, numbers, unit, y) {
     const masses = arrows.massesOf(numbers, plan.radius.length);
     const held = new Set(kind === "forces" ? numbers.held : []);
     const full = Math.min(Math.max(LENGTH * Math.min(box.width, box.height), MIN_LENGTH), MAX_LENGTH);
@@ -93,8 +99,8 @@ class ArrowMarks {
       arrows.vectorArrows(masses, numbers[kind], places, full / unit, plan.flip, box, { open, only: (mass) => held.has(mass) === isHeld });
     set(this.body, { d: path(false) });
     set(this.held, { d: path(true) });
-    set(this.sample, { d: arrow(end - full, y, full, 0, open) });
-    set(this.words, { x: end - full - 8, y });
+    set(this.sample, { d: arrow(beginOf(box, full), y, full, 0, open) });
+    return full;
   }
 }
 

@@ -4,6 +4,7 @@ import { NAMES } from "./faces.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
 import { hasWords, keepInView } from "../../ui/looks.js";
 import { floorOf } from "../../stage/dock.js";
+import { sidesOf } from "../../stage/sides.js";
 import { say } from "../../words/words.js";
 
 /** @typedef {import("./shapes.js").Kind} Kind */
@@ -108,10 +109,10 @@ export class Box {
     this.element.classList.toggle("softrod-box-welcome", on);
   }
 
-  /** Stands at the left of the canvas, over the bar of time. @param {DOMRect} canvas */
+  /** Stands where lines start on the canvas, over the bar of time. @param {DOMRect} canvas */
   place(canvas) {
     this.element.classList.toggle("softrod-words", hasWords(canvas));
-    this.element.style.left = `${canvas.left + 14}px`;
+    this.element.style.insetInlineStart = `${sidesOf(canvas).start + 14}px`;
     this.element.style.bottom = `${window.innerHeight - floorOf(canvas) + 10}px`;
     if (!this.content.hidden) keepInView(this.content);
   }

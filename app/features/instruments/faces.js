@@ -13,7 +13,7 @@ import { pageState } from "../../wire/channel.js";
 import { digits, protractorReading, rulerReading, ticks, watchReading } from "./shapes.js";
 import { makeSvg, set } from "../../stage/svg.js";
 import { timeNow } from "../../ui/clock.js";
-import { decimal, say } from "../../words/words.js";
+import { decimal, joined, say } from "../../words/words.js";
 
 /** Pixels between a point and its grip. */
 const AWAY = 24;
@@ -145,7 +145,7 @@ class Ruler extends LineFace {
     const { length, dx, dy } = rulerReading(a, b, scale, plan.flip);
     const lines = [`${digits(length)} ${pageState().unit ?? ""}`, `Δx ${digits(dx)}  Δy ${digits(dy)}`];
     this.writeLines(lines, beyond({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }, normal, WIDTH + size), normal, size);
-    return `${lines[0]}, ${lines[1].replace("  ", ", ")}`;
+    return joined([lines[0], ...lines[1].split("  ")]);
   }
 }
 
@@ -183,7 +183,7 @@ class Protractor extends LineFace {
     // Between the sides, or behind the corner where there is no room.
     const [outwards, far] = angle < NARROW ? [way(angle / 2 + 180), AWAY + 2 * GRIP] : [way(angle / 2), radius + size];
     this.writeLines(lines, beyond(vertex, outwards, far), outwards, size);
-    return lines.join(", ");
+    return joined(lines);
   }
 }
 

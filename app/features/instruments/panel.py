@@ -9,7 +9,7 @@ import viser
 
 from ...ui.page import Page
 from ...ui.viser.handlers import on_change
-from ...words import say
+from ...words import decimal, say
 from ...words.keys import Key
 from .arrows import KINDS, Arrows
 from .messages import Tools
@@ -53,7 +53,10 @@ class ToolsPanel:
 
         self._intervals = {
             say("instruments-strobe.off"): 0.0,
-            **{say("instruments-strobe.every", seconds=f"{each:g}"): each for each in STROBE_INTERVALS},
+            **{
+                say("instruments-strobe.every", seconds=decimal(f"{each:g}")): each
+                for each in STROBE_INTERVALS
+            },
         }
         self._switches = {kind: switch(*SWITCHES[kind], i / 10.0) for i, kind in enumerate(KINDS)}
         self._coordinates = switch("instruments-coordinates", "instruments-coordinates.hint", 1)

@@ -28,7 +28,7 @@ from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
-from ...words import say
+from ...words import decimal, joined, say
 from ...words.english import of, step_of, written
 from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
@@ -293,10 +293,10 @@ def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:
             words.append(f"{label_of_choice(key)}: {options_of(key).get(value, value)}")
         elif key in known and math.isfinite(number := _number(value)):
             unit = known[key].unit.replace("px", scene.view.unit)
-            words.append(f"{label_of(known[key])} {number:.6g} {unit}".rstrip())
+            words.append(f"{label_of(known[key])} {decimal(f'{number:.6g}')} {unit}".rstrip())
         else:
             words.append(f"{key} {value}")
-    return ", ".join(words)
+    return joined(words)
 
 
 def _number(text: str) -> float:

@@ -9,7 +9,7 @@ import { readNumber } from "../../ui/gui/numbers.js";
 import { Chooser } from "./chooser.js";
 import { box, labelled, makeArea, makeCheck, makeInput, makeSelect, refusal, setOptions } from "./fields.js";
 import { QuestionForm } from "./question_form.js";
-import { say } from "../../words/words.js";
+import { joined, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Step} Step */
 /** @typedef {import("../../wire/wire.js").LessonOffers} LessonOffers */
@@ -31,7 +31,7 @@ const ARROWS = /** @type {const} */ ({ forces: "making-arrow-forces", velocities
 /** What the arrows of a step are. @param {Step["arrows"]} arrows */
 function arrowsText(arrows) {
   if (arrows === null) return say("making-arrows.stay");
-  return arrows.length ? say("making-arrows", { arrows: arrows.map((kind) => say(ARROWS[kind])).join(", ") }) : say("making-arrows.none");
+  return arrows.length ? say("making-arrows", { arrows: joined(arrows.map((kind) => say(ARROWS[kind]))) }) : say("making-arrows.none");
 }
 
 /** A group of fields. @param {string} title @param {...Node} content */
@@ -257,7 +257,7 @@ export class StepForm {
       for (const [{ input }, value] of /** @type {const} */ ([[this.led, lead.mass], [this.radius, lead.circle.radius], [this.turns, lead.circle.frequency ?? 1]])) input.value = String(value);
     }
     this.showControls(step.controls, offers);
-    this.plots.textContent = step.plots?.length ? say("making-plots", { plots: step.plots.join("; ") }) : say("making-plots.none");
+    this.plots.textContent = step.plots?.length ? say("making-plots", { plots: joined(step.plots, "language-semicolon") }) : say("making-plots.none");
     this.takePlots.disabled = offers.plots.length === 0;
     this.dropPlots.hidden = !step.plots?.length;
     const { arrows } = step;
@@ -281,7 +281,7 @@ export class StepForm {
     const focused = this.controls.contains(document.activeElement) ? document.activeElement?.getAttribute("data-focus") : null;
     const labels = new Map(controls.map(({ key, label }) => [key, label]));
     this.controlsTitle.textContent = chosen.length
-      ? say("making-controls", { controls: chosen.map((key) => labels.get(key) ?? key).join(", ") })
+      ? say("making-controls", { controls: joined(chosen.map((key) => labels.get(key) ?? key)) })
       : say("making-controls.none");
     const gone = chosen.filter((key) => !labels.has(key)).map((key) => ({ key, label: say("making-controls.gone", { control: key }) }));
     this.controls.replaceChildren(

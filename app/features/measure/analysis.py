@@ -16,7 +16,7 @@ from sim.errors import InputError
 
 from ...session.plots import Plot, Span
 from ...ui import readouts
-from ...words import decimal, find, say
+from ...words import decimal, find, joined, say
 from ...words.english import of
 from ...words.keys import Key
 
@@ -97,7 +97,7 @@ def fits_text(plot: Plot, fits: Sequence[Fit]) -> str:
             lines.append(f"{html.escape(quantity.name)}: {html.escape(fit.why_not)}")
             continue
         scatter = f"{readouts.grouped(fit.curve.deviation)} {quantity.unit}".strip()
-        origin = f"{fit.curve.origin:.6g} {over}".strip()
+        origin = decimal(f"{fit.curve.origin:.6g} {over}".strip())
         lines += [
             say("measure-fit-from", quantity=html.escape(quantity.name), place=html.escape(origin)),
             *(_said(number, quantity.unit, over) for number in fit.curve.numbers),
@@ -160,13 +160,14 @@ def draw_spectra(plot: Plot, span: Span, points: int = POINTS) -> DrawnSpectrum:
     marked, lines = [], []
     for quantity, each in zip(plot.quantities, spectra, strict=False):
         found = peaks(each, duration, PEAKS) if each is not None else []
-        marked += [(peak.frequency, peak.amplitude, f"{peak.frequency:.4g} Hz") for peak in found]
+        marked += [(peak.frequency, peak.amplitude, decimal(f"{peak.frequency:.4g} Hz")) for peak in found]
         unit = f" {quantity.unit}" if quantity.unit else ""
         said = (
-            f"<b>{peak.frequency:.4g} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})" for peak in found
+            f"<b>{decimal(f'{peak.frequency:.4g}')} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})"
+            for peak in found
         )
         none = say(_NO_SPECTRUM if each is None else "measure-spectrum-no-peak")
-        lines.append(f"{html.escape(quantity.name)}: {', '.join(said) or none}")
+        lines.append(f"{html.escape(quantity.name)}: {joined(said) or none}")
     lines.append(say("measure-spectrum-of", seconds=decimal(f"{duration:.3g}")))
     return DrawnSpectrum(frequencies[starts], amplitudes, tuple(marked), _text(lines))
 
@@ -186,7 +187,7 @@ def _said(number: Number, unit: str, over: str) -> str:
     power, along = number.unit
     unit = html.escape(_unit(unit if power else "", over, along)) if power or along else "°"
     name = find(f"measure-number-{number.name.replace(' ', '-')}", number.name)
-    return f"{name} <b>{with_error(number.value, number.error)} {unit}".strip() + "</b>"
+    return f"{name} <b>{decimal(with_error(number.value, number.error))} {unit}".strip() + "</b>"
 
 
 def _unit(unit: str, over: str, along: int) -> str:

@@ -2,6 +2,7 @@
 /** The pointer over a plot of one quantity over another reads values: viser's plots do that by themselves. */
 
 import { makeSvg } from "../../stage/svg.js";
+import { decimal } from "../../words/words.js";
 
 /** Pixels between the pointer and what is read. */
 const AWAY = 14;
@@ -61,7 +62,7 @@ export function readPhases() {
     const found = valuesAt((clientX - left) * part, (clientY - top) * part, numbers(edges), numbers(ends));
     box.hidden = found === null;
     if (!found) return;
-    const [x, y] = found.map((value) => String(Number(value.toPrecision(4))));
+    const [x, y] = found.map((value) => decimal(String(Number(value.toPrecision(4)))));
     box.textContent = `${right}: ${x}\n${up}: ${y}`;
     // To the left of the pointer: at its right is the edge of the window.
     box.style.left = `${Math.max(clientX - box.offsetWidth - AWAY, 4)}px`;

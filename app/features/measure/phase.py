@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...session.plots import MIN_PART
+from ...words import decimal
 
 Floats = NDArray[np.float64]
 
@@ -62,7 +63,7 @@ def phase_svg(
         x_low, x_high, y_low, y_high = float(x[0]), float(x[-1]), 0.0, _ABOVE * y_high
     y_bottom, y_top = (y_high, y_low) if turned else (y_low, y_high)
     right, bottom = WIDTH - RIGHT, HEIGHT - BOTTOM
-    marks = {value: f"{value:.6g}" for value in ticks(y_low, y_high)}
+    marks = {value: decimal(f"{value:.6g}") for value in ticks(y_low, y_high)}
     left = max(LEFT, BESIDE + DIGIT * max(map(len, marks.values()), default=0))
 
     def across(value: float) -> float:
@@ -75,17 +76,18 @@ def phase_svg(
     for value in ticks(x_low, x_high):
         at = across(value)
         lines.append(f"M{at:.1f} {TOP}V{bottom}")
-        texts.append(f'<text x="{at:.1f}" y="{bottom + 15}" text-anchor="middle">{value:g}</text>')
+        texts.append(
+            f'<text x="{at:.1f}" y="{bottom + 15}" text-anchor="middle">{decimal(f"{value:g}")}</text>'
+        )
     for value, mark in marks.items():
         at = up(value)
         lines.append(f"M{left:g} {at:.1f}H{right}")
         texts.append(f'<text x="{left - 5:g}" y="{at + 4:.1f}" text-anchor="end">{mark}</text>')
     middle_x, middle_y = 0.5 * (left + right), 0.5 * (TOP + bottom)
     to_right, upwards = map(html.escape, labels)
-    texts.append(f'<text x="{middle_x}" y="{HEIGHT - 6}" text-anchor="middle">{to_right}</text>')
-    texts.append(
-        f'<text transform="translate(11 {middle_y}) rotate(-90)" text-anchor="middle">{upwards}</text>'
-    )
+    title = 'text-anchor="middle" class="softrod-axis"'
+    texts.append(f'<text x="{middle_x}" y="{HEIGHT - 6}" {title}>{to_right}</text>')
+    texts.append(f'<text transform="translate(11 {middle_y}) rotate(-90)" {title}>{upwards}</text>')
 
     def places(x: Floats, y: Floats) -> list[str]:
         return [

@@ -19,7 +19,7 @@ from ...session.plots import Plot, PlotWindow, Span
 from ...stage.colors import Palette
 from ...stage.looks import FONT
 from ...ui import readouts
-from ...words import number, say
+from ...words import joined, number, say
 from ...words.keys import Key
 from ...words.quantities import kind_of_part, quantity_of
 from .analysis import DrawnSpectrum, Fit
@@ -165,7 +165,7 @@ class SpectrumChart(SvgChart):
         )
         name = say(
             "measure-title-spectrum",
-            quantity=", ".join(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
+            quantity=joined(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
         )
         series = colors_of(plot, colors)
         self.put(
@@ -183,7 +183,7 @@ def draw_over_another(plot: Plot, drawn: PlotWindow, series: Sequence[str], fits
     )
     name = say(
         "measure-title-over",
-        quantity=", ".join(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
+        quantity=joined(called(plot, one) for one in plot.quantities[: len(plot.spec.names)]),
         over=called(plot, plot.quantities[-1]),
     )
     name = f"{name}. {' '.join(_ranges(plot, drawn))}"
@@ -210,7 +210,7 @@ def _lines(plot: Plot, series: Sequence[str], some: NDArray[np.bool_]) -> tuple[
     whole: list[uplot.Series] = []
     for quantity, color, has_values in zip(plot.quantities, series, some[1:], strict=True):
         line: uplot.Series = {
-            "label": ", ".join(filter(None, (called(plot, quantity), quantity.unit))),
+            "label": joined((called(plot, quantity), quantity.unit)),
             "stroke": color,
             "width": 2.0,
             "scale": f"y{plot.units.index(quantity.unit)}",
@@ -283,11 +283,11 @@ def called(plot: Plot, quantity: sim.Quantity) -> str:
 
 def _labelled(plot: Plot, quantities: Sequence[sim.Quantity]) -> str:
     """Return the axis label of quantities of one or two units."""
-    units = ", ".join(dict.fromkeys(q.unit for q in quantities if q.unit))
+    units = joined(dict.fromkeys(q.unit for q in quantities))
     if len(quantities) > 1 or quantities[0].formula:
         return _label(quantities, units)
     name = called(plot, quantities[0])
-    return f"{name}, {units}" if units else name
+    return joined((name, units))
 
 
 def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
@@ -296,8 +296,7 @@ def _label(quantities: Sequence[sim.Quantity], unit: str) -> str:
         (quantity_of(q.kind.of, q.kind.what) for q in quantities),
         (kind_of_part(q.kind.of) for q in quantities),
     ):
-        names = ", ".join(dict.fromkeys(words))
-        label = f"{names}, {unit}" if unit else names
+        label = joined((*dict.fromkeys(words), unit))
         if len(label) <= _MAX_LABEL:
             break
     return label

@@ -8,14 +8,14 @@ import { onMessage, pageState } from "../../wire/channel.js";
 import { sendParts } from "../../ui/kept/links.js";
 import { withKey } from "../../ui/hands/key_table.js";
 import { make, makeButton, overCanvas } from "../../ui/dialog.js";
-import { distance, fullRace, isOver, listed, namesOf, verdict } from "./words.js";
+import { distance, fullRace, isOver, namesOf, verdict } from "./words.js";
 import { addRaceMarks } from "./marks.js";
 import { fit } from "../../stage/camera.js";
 import { redrawMarks } from "../../stage/sight.js";
 import { theGallery } from "../gallery/gallery.js";
 import { makeStrip } from "../../ui/strip.js";
 import { perform } from "../../wire/perform.js";
-import { decimal, say } from "../../words/words.js";
+import { decimal, listed, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** A race in words. Texts only, without a page. */
 import { pageState } from "../../wire/channel.js";
-import { decimal, language, say } from "../../words/words.js";
+import { decimal, joined, listed, say } from "../../words/words.js";
 
 /** @typedef {import("../../wire/wire.js").Race} Race */
 
@@ -52,9 +52,6 @@ export function lead({ ways, finish }, which = 0) {
 /** Whether the result is known. @param {Required<Race>} race */
 export const isOver = ({ arrived, outs }) => arrived.every((time, i) => time !== null || outs[i]);
 
-/** Some names as a list, as in "a, b and c". @param {string[]} names */
-export const listed = (names) => new Intl.ListFormat(language === "en" ? "en-GB" : language).format(names);
-
 /** Simulated seconds after which a race ends; see `LIMIT` in rivals.py. */
 const LIMIT = "30";
 
@@ -98,7 +95,7 @@ export function verdict(race, exactly = true) {
   /** @param {number} i */
   const of = (i) => ({ own: i ? "no" : "yes", name: names[i] });
   /** @param {number[]} some @param {"first" | "own"} own */
-  const fates = (some, own = "own") => some.map((i) => fate(outs[i], i ? "other" : own, names[i])).join(", ");
+  const fates = (some, own = "own") => joined(some.map((i) => fate(outs[i], i ? "other" : own, names[i])));
   if (there.length) {
     const [first, next] = there;
     const best = Number(arrived[first]);

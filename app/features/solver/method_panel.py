@@ -76,7 +76,7 @@ def _advice_html(advice: Advice) -> str:
 
 def advice_for(advice: Advice, error: float) -> str:
     """Name the cheapest method for an error, px, and the cost of the next best, as `Advice.sentence` does."""
-    to = f"{error:g}"
+    to = decimal(f"{error:g}")
     if advice.moved <= error:
         return say("solver-advice-still", error=to)
     if advice.is_doubtful(error):
@@ -84,10 +84,10 @@ def advice_for(advice: Advice, error: float) -> str:
     best, other = best_two(advice.tried, error)
     if best is None:
         return say("solver-advice-none", error=to)
-    setting, off = _setting(best), f"{best.error:.1g}"
+    setting, off = _setting(best), decimal(f"{best.error:.1g}")
     if other is None:
         return say("solver-advice-take", error=to, setting=setting, off=off)
-    second, far, ratio = _setting(other), f"{other.error:.1g}", other.seconds / best.seconds
+    second, far, ratio = _setting(other), decimal(f"{other.error:.1g}"), other.seconds / best.seconds
     if ratio < AS_FAST:
         return say("solver-advice-take.fast", error=to, setting=setting, off=off, other=second, far=far)
     return say(
@@ -103,7 +103,7 @@ def advice_for(advice: Advice, error: float) -> str:
 
 def _setting(one: Tried) -> str:
     """A method and its tolerance or time step."""
-    value = f"{one.value:g} px" if METHODS[one.method].adaptive else f"{1e3 * one.value:.3g} ms"
+    value = decimal(f"{one.value:g} px" if METHODS[one.method].adaptive else f"{1e3 * one.value:.3g} ms")
     return say("solver-advice-setting", method=options_of("method")[one.method], value=value)
 
 

@@ -158,7 +158,7 @@ def _sentence(scene: Scene) -> str:
     solver = scene.integrator
     name = options_of("method")[solver.method]
     if METHODS[solver.method].adaptive:
-        return say("solver-adaptive", method=name, tolerance=f"{solver.tolerance:g}")
+        return say("solver-adaptive", method=name, tolerance=decimal(f"{solver.tolerance:g}"))
     return say(
         "solver-fixed",
         method=name,

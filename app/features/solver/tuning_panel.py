@@ -342,7 +342,7 @@ class TuningPanel:
         self._job.run_on_scene(trouble, run, with_pose, then=self._begin)
 
     def _stabilize(self, scene: sim.Scene) -> None:
-        made, step = sim.make_stable(scene), f"{1e3 * scene.integrator.dt:.3g} ms"
+        made, step = sim.make_stable(scene), decimal(f"{1e3 * scene.integrator.dt:.3g} ms")
         if made is scene:
             self._notify(Notice("info", say("solver-is-stable"), say("solver-is-stable.text", step=step)))
         else:
@@ -355,7 +355,7 @@ class TuningPanel:
             self._change(made, scene, say("solver-did-damp"))
             return
         elastic = sim.tuning(made).elastic
-        step = f"{1e3 * scene.integrator.dt:.3g} ms"
+        step = decimal(f"{1e3 * scene.integrator.dt:.3g} ms")
         self._change(made, scene, say("solver-did-damp-some", step=step))
         if elastic is None:
             text = say("solver-not-critical.text", step=step)

@@ -11,6 +11,7 @@ import { isSheet } from "../../ui/gui/panel.js";
 import { hasWords, isProjector, keepInView, restoreLooks, toggleProjector } from "../../ui/looks.js";
 import { hasKept } from "../../ui/kept/keep.js";
 import { kept, store } from "../../ui/kept/storage.js";
+import { sidesOf } from "../../stage/sides.js";
 import { onMarksRedraw } from "../../stage/sight.js";
 import { perform } from "../../wire/perform.js";
 import { isDark } from "../../ui/viser/viser.js";
@@ -155,7 +156,7 @@ class ViewMenu {
     onMessage("pageState", () => (element.hidden = !has("view") && !has("modes") && !has("help")));
     onMarksRedraw(({ box, floor }) => {
       element.classList.toggle("softrod-words", hasWords(box));
-      element.style.right = `${window.innerWidth - box.right + 14}px`;
+      element.style.insetInlineEnd = `${sidesOf(box).end + 14}px`;
       // On a phone thumbs are for the body and the sliders: the menu is at the top.
       element.classList.toggle("softrod-menu-above", isSheet());
       element.style.bottom = isSheet() ? "" : `${window.innerHeight - floor + 10}px`;

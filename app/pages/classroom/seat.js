@@ -10,7 +10,7 @@ import { OWN_BODY } from "../../features/classroom/phases.js";
 import { plot } from "../../features/classroom/plot.js";
 import { OwnPrediction, Predictions } from "../../features/classroom/prediction.js";
 import { Card, deferWhilePressed } from "../../features/classroom/rerender.js";
-import { say } from "../../words/words.js";
+import { joined, say } from "../../words/words.js";
 import { Alone } from "./alone.js";
 import { keepAwake } from "./awake.js";
 import { Bench } from "./bench.js";
@@ -266,7 +266,7 @@ function homework(seat, asking) {
     button(`${i + 1}${isDone ? " ✓" : ""}`, () => walk(i), { focus: `walk ${i}`, label: say(isDone ? "seat-step-done" : "seat-step", { number: i + 1 }), pressed: i === stop }),
   );
   const open = done.flatMap((isDone, i) => (isDone ? [] : [i + 1]));
-  const left = open.length ? say("seat-to-do", { count: open.length, steps: open.join(", ") }) : say("seat-all-done");
+  const left = open.length ? say("seat-to-do", { count: open.length, steps: joined(open.map(String)) }) : say("seat-all-done");
   const next = stop + 1 < done.length ? [button(say("seat-next-step", { number: stop + 2, steps: done.length }), () => walk(stop + 1), { focus: "walk on", name: done[stop] ? "softrod-strong" : "softrod-small" })] : [];
   return [
     ...(hasOwn() ? twins(seat) : []),

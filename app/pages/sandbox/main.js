@@ -10,7 +10,7 @@ import { addEdgeArrow } from "../../stage/edge.js";
 import { addEmpty } from "../../stage/empty.js";
 import { charts, clearPanel, drawPanel } from "../../ui/gui/gui.js";
 import { showHud } from "../../ui/hud.js";
-import { hasKept, keepOnlyOf, resume } from "../../ui/kept/keep.js";
+import { hasKept, keepOnlyOf, resume, watchAddress } from "../../ui/kept/keep.js";
 import { keepAddress, listenToLinks, openLink, takeLink } from "../../ui/kept/links.js";
 import { addKeyMarks } from "../../stage/key_marks.js";
 import { addLoads } from "../../stage/load_marks.js";
@@ -78,6 +78,7 @@ whenViser((viser) => {
   }
   resume(openLink);
   listenToLinks();
+  watchAddress();
   addPaper();
   const heading = document.querySelector("main > h1");
   onMessage("pageState", ({ title }) => {

@@ -1,7 +1,7 @@
 // @ts-check
 /** Controls that hold others: folders and tabs. */
 import { make, makeButton } from "../dialog.js";
-import { direction, language, say } from "../../words/words.js";
+import { direction, joined, language, say } from "../../words/words.js";
 import { Control, newId, Place, setText } from "./control.js";
 
 /** @typedef {import("./control.js").Declared} Declared */
@@ -55,9 +55,9 @@ class Folder extends Control {
     const names = this.place.members.filter(({ name, element }) => name && !element.hidden).map(({ name }) => name);
     // In English a list goes on in small letters; in German nouns keep their capitals.
     const words = language === "en" ? names.map((name) => `${name.slice(0, 1).toLowerCase()}${name.slice(1)}`) : names;
-    let said = words[0] ?? "";
-    let count = 1;
-    while (count < words.length && said.length + words[count].length < TOLD) said += `, ${words[count++]}`;
+    let [count, length] = [1, words[0]?.length ?? 0];
+    while (count < words.length && length + words[count].length < TOLD) length += words[count++].length + 2;
+    const said = joined(words.slice(0, count));
     setText(this.holds, names.length > 1 ? `${names.length}: ${said}${count < words.length ? " …" : ""}` : "");
   }
 

@@ -216,9 +216,9 @@ export class Plot extends Control {
     const grid = [];
     /** @type {Element[]} */
     const parts = [];
-    /** @param {string} text @param {number} x @param {number} y @param {string} anchor @param {string} [turn] */
-    const write = (text, x, y, anchor, turn) => {
-      const made = makeSvg("text", "");
+    /** @param {string} text @param {number} x @param {number} y @param {string} anchor @param {string} [name] of its class @param {string} [turn] */
+    const write = (text, x, y, anchor, name = "", turn = "") => {
+      const made = makeSvg("text", name);
       made.textContent = text;
       if (turn) made.setAttribute("transform", turn);
       else {
@@ -233,7 +233,7 @@ export class Plot extends Control {
       grid.push(`M${across(mark)} ${TOP}V${bottom}`);
       write(markText(mark), across(mark), bottom + 16, "middle");
     }
-    write(axes[0]?.label ?? "", (left + right) / 2, height - 6, "middle");
+    write(axes[0]?.label ?? "", (left + right) / 2, height - 6, "middle", "softrod-axis");
     upwards.forEach((axis, i) => {
       for (const mark of marksOf(axis)) {
         const y = up(axis.range, mark);
@@ -241,7 +241,7 @@ export class Plot extends Control {
         write(markText(mark), i ? right + 5 : left - 5, y + 4, i ? "start" : "end");
       }
       const x = i ? width - 4 : 12;
-      write(axis.label, x, 0, "middle", `translate(${x} ${(TOP + bottom) / 2}) rotate(-90)`);
+      write(axis.label, x, 0, "middle", "softrod-axis", `translate(${x} ${(TOP + bottom) / 2}) rotate(-90)`);
     });
     const back = makeSvg("path", "softrod-chart-grid");
     back.setAttribute("d", grid.join(""));

@@ -3,14 +3,15 @@
  * Dragging masses with a mouse, pens and fingers, each with a mass of its own. The places of the pointers are sent at every
  * animation frame while they matter.
  */
-import { shown } from "../../stage/canvas.js";
+import { onPicture, shown } from "../../stage/canvas.js";
 import { pageState, send } from "../../wire/channel.js";
 import { editing } from "../../features/edit/editing.js";
+import { access } from "../access.js";
 import { areFree, freeHand, takeHand, tellGrasp, handAt } from "./hands.js";
 import { nearest, onScreen, REACH, wireNumber, worldAt } from "../../stage/screen.js";
 import { screen } from "../viser/screen.js";
 import { viserCanvas } from "../viser/viser.js";
-import { takePointer } from "./take.js";
+import { MISSED, takePointer } from "./take.js";
 import { say } from "../../words/words.js";
 
 /** Pixels by which a pointer may move in a click. */
@@ -18,7 +19,13 @@ export const CLICK = 4;
 /** Milliseconds after a finger on the background in which a second one zooms, whatever is under it. */
 const PINCH = 250;
 
+/** Pixels around a mass in which a tap instead of a drag takes it, besides those that it has moved of late; and ms of that. */
+const [TAP_REACH, OF_LATE] = [24, 100];
+
 /** @typedef {{x: number, y: number}} Place pixels of the window */
+
+/** Pictures of that time, the oldest first, while taps stand for drags. @type {{at: number, generation: number, positions: ArrayLike<number>}[]} */
+let past = [];
 
 /** The last place of the pointer over the canvas. @type {Place | null} */
 let pointer = null;
@@ -60,6 +67,29 @@ function placeOf(mass) {
   if (!plan || !frame || !on) return undefined;
   const places = onScreen(plan, frame.positions, on);
   return { x: places[2 * mass], y: places[2 * mass + 1] };
+}
+
+/** @param {import("../../stage/plan.js").Frame} frame */
+function remember({ generation, positions }) {
+  if (!access().taps) return;
+  const at = performance.now();
+  past = past.filter((one) => one.generation === generation && at - one.at <= OF_LATE);
+  past.push({ at, generation, positions });
+}
+
+/** The mass that a tap is meant for, which moves while one aims at it, or -1. @param {Place} place */
+function massOfTap(place) {
+  const { pictured: plan, frame } = shown();
+  const on = screen();
+  if (!plan || !frame || !on) return -1;
+  const places = onScreen(plan, frame.positions, on);
+  const isOf = past[0]?.generation === frame.generation && performance.now() - past[0].at <= 2 * OF_LATE;
+  const before = isOf ? onScreen(plan, past[0].positions, on) : places;
+  const reaches = plan.radius.map((radius, i) => {
+    const moved = Math.hypot(places[2 * i] - before[2 * i], places[2 * i + 1] - before[2 * i + 1]);
+    return Math.max(radius * on.step, TAP_REACH + moved);
+  });
+  return nearest(places, reaches, place, 0);
 }
 
 /** @param {Place} place */
@@ -104,7 +134,11 @@ function press(event) {
   if (holds.size === 0) pointer = place;
   const isTool = editing.on && editing.tool !== "hand";
   const held = [...holds.values()].map(({ mass }) => mass);
-  const mass = event.button === 0 && !isTool && !isPinch(event) ? massAt(place, under, held) : -1;
+  const takes = event.button === 0 && !isTool && !isPinch(event);
+  const isTap = takes && under !== "disc" && holds.size === 0 && access().taps;
+  const direct = takes ? massAt(place, under, held) : -1;
+  const mass = direct < 0 && isTap ? massOfTap(place) : direct;
+  if (isTap && mass < 0) canvas.dispatchEvent(new CustomEvent(MISSED, { bubbles: true, detail: event }));
   const point = mass >= 0 ? pointAt(place) : null;
   const hand = point ? takeHand() : -1;
   if (!point || hand < 0) {
@@ -169,6 +203,7 @@ function letGo(event) {
 
 /** Begins to listen. */
 export function listenToPointer() {
+  onPicture(remember);
   window.addEventListener("pointerdown", press, true);
   window.addEventListener("pointermove", move, true);
   for (const kind of /** @type {const} */ (["pointerup", "pointercancel", "lostpointercapture"])) {

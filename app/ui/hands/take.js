@@ -8,8 +8,9 @@
  * @property {boolean} [always] whether taps move it without being asked for: a tap on it does nothing else
  */
 
-/** The events by which taps hear that a pointer was taken, and what was dragged that it is picked up. */
+/** The events by which taps hear that a pointer was taken, or found nothing to take, and what was dragged that it is picked up. */
 export const TAKEN = "softrod-taken";
+export const MISSED = "softrod-missed";
 export const PICKED_UP = "softrod-picked-up";
 
 /**

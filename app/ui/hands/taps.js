@@ -6,7 +6,7 @@
  */
 import { access } from "../access.js";
 import { make, makeButton, overCanvas } from "../dialog.js";
-import { PICKED_UP, TAKEN } from "./take.js";
+import { MISSED, PICKED_UP, TAKEN } from "./take.js";
 import { say } from "../../words/words.js";
 
 /**
@@ -21,6 +21,8 @@ const STRIDE = 30;
 const [LEAST, MOST] = [4, 24];
 /** Milliseconds for which it is held there: a mass is put down, not thrown. */
 const RESTS = 150;
+/** Milliseconds for which it is said that nothing is there. */
+const SAID = 5000;
 /** What works as ever while something is picked up, and does not say where it goes. */
 const CONTROLS = "button, a, input, select, textarea, summary, label, [role=tab], [role=menu]";
 /** What has places of its own. */
@@ -28,6 +30,10 @@ const SURFACES = "dialog, .softrod-panel, .softrod-class";
 
 /** The press that drags something. @type {Drag | null} */
 let pressed = null;
+/** The press that found nothing to drag. @type {PointerEvent | null} */
+let missed = null;
+/** @type {ReturnType<typeof setTimeout> | undefined} */
+let said;
 /** What is picked up. @type {Drag | null} */
 let held = null;
 /** The pointer that is about to say where it goes, or -1. */
@@ -45,6 +51,8 @@ let note;
 let ring;
 /** @type {HTMLElement} */
 let live;
+/** @type {HTMLButtonElement} */
+let back;
 
 /** @param {PointerEvent} event @returns {Place} */
 const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
@@ -76,12 +84,24 @@ function tell({ element, start }, kind, { x, y }) {
 // ------------------------------------------------------------------------- what is picked up
 /** Shows what is picked up, and says what has become of it. @param {string} text */
 function show(text) {
+  clearTimeout(said);
   live.textContent = text;
   note.hidden = ring.hidden = !held;
+  back.hidden = false;
   if (!held) return;
   /** @type {HTMLElement} */ (note.firstChild).textContent = text;
   const { x, y } = held.at ?? placeOf(held.start);
   ring.style.translate = `${x}px ${y}px`;
+}
+
+/** Says for some seconds that there is nothing to pick up. */
+function tellMissed() {
+  const text = say("taps-nothing");
+  show(live.textContent === text ? `${text}\u00a0` : text); // a screen reader says it again
+  /** @type {HTMLElement} */ (note.firstChild).textContent = text;
+  back.hidden = true;
+  note.hidden = false;
+  said = setTimeout(() => (note.hidden = !held), SAID);
 }
 
 /** @param {Drag} drag */
@@ -134,7 +154,8 @@ function go(drag, to) {
 function down(event) {
   if (isOwn) return;
   isDone = false;
-  pressed = null;
+  pressed = missed = null;
+  note.hidden = !held || goes;
   if (held && !held.element.isConnected) putBack("pointercancel");
   if (!held) return;
   // What drags it is not to take another press for its own.
@@ -164,6 +185,9 @@ function up(event) {
     isDone = true;
     if (areNear(event, held.start)) putBack("pointerup");
     else go(held, placeOf(event));
+  } else if (missed?.pointerId === pointerId) {
+    if (type === "pointerup" && areNear(event, missed)) tellMissed();
+    missed = null;
   } else if (drag && drag.start.pointerId === pointerId) {
     pressed = null;
     if (type === "pointercancel" || !areNear(event, drag.start)) return;
@@ -183,7 +207,8 @@ function lost(event) {
 export function listenToTaps() {
   note = make("div", "softrod-taps softrod-floats");
   note.hidden = true;
-  note.append(make("span", ""), makeButton(say("taps-button"), () => putBack("pointercancel")));
+  back = makeButton(say("taps-button"), () => putBack("pointercancel"));
+  note.append(make("span", ""), back);
   ring = make("div", "softrod-taps-ring");
   ring.hidden = true;
   live = make("div", "softrod-tell");
@@ -193,6 +218,7 @@ export function listenToTaps() {
     const { target, detail } = /** @type {CustomEvent} */ (event);
     if (!held && (detail.always || access().taps)) pressed = { ...detail, element: target };
   });
+  window.addEventListener(MISSED, (event) => void (missed = held ? null : /** @type {CustomEvent} */ (event).detail));
   window.addEventListener("pointerdown", down, true);
   window.addEventListener("pointermove", move, true);
   for (const kind of /** @type {const} */ (["pointerup", "pointercancel"])) window.addEventListener(kind, up, true);

@@ -33,6 +33,25 @@ export function keepOnlyOf(asked) {
   store(ASKED, asked);
 }
 
+/** Takes the scene out of the page's address once another one is open, so that a reload and a copied address have that one. */
+export function watchAddress() {
+  /** @type {{page: string, scene: number, title: string} | undefined} */
+  let first;
+  onMessage("pageState", ({ page, scene, title }) => {
+    if (!page || due) return;
+    if (first?.page !== page) first = { page, scene, title };
+    else if (scene !== first.scene && title !== first.title) forgetAsked();
+  });
+}
+
+function forgetAsked() {
+  const { searchParams: asked, pathname, hash } = new URL(location.href);
+  if (!["s", "scene"].some((field) => asked.has(field))) return;
+  for (const field of ["s", "scene"]) asked.delete(field);
+  store(ASKED, "");
+  history.replaceState(null, "", `${pathname}${asked.size ? `?${asked}` : ""}${hash}`);
+}
+
 /** Compresses data, as base64 for a message. @param {BlobPart} data */
 export async function packed(data) {
   const stream = new Blob([data]).stream().pipeThrough(new CompressionStream("deflate"));

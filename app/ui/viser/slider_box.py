@@ -13,7 +13,7 @@ from sim.scene.types import Scene
 from sim.settings import Setting
 
 from ...wire.carrier import Mail
-from ...words import say
+from ...words import joined, say
 from ...words.settings import label_of, remark_of, term_of
 from .. import readouts
 from .handlers import on_change
@@ -72,7 +72,7 @@ class SliderBox:
             step=step,
             initial_value=low,
             marks=((low, readouts.short(low)), (high, readouts.short(high))),
-            hint="; ".join(filter(None, (term_of(setting), range_of(setting)))),
+            hint=joined((term_of(setting), range_of(setting)), "language-semicolon"),
             order=order,
         )
         self.slider.value = rounded(value)  # which may be beyond the slider
@@ -116,7 +116,7 @@ class SliderBox:
             mixed_words(setting) if mixed else "",
             remark_of(setting, scene),
         )
-        hint = "; ".join(part for part in parts if part)
+        hint = joined(parts, "language-semicolon")
         if mixed != self.mixed or hint != self.slider.hint:
             self.mixed, self.slider.hint = mixed, hint
             label = label_of(setting)

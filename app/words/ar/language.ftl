@@ -2,3 +2,6 @@
 language-name = العربية
 language-direction = rtl
 language-quoted = «{ $text }»
+# The invisible mark U+200F has a list run from right to left even where all of its items run the other way.
+language-comma = { $before }‏، { $after }
+language-semicolon = { $before }‏؛ { $after }

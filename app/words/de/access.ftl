@@ -25,6 +25,7 @@ access-kept = Dieses Gerät merkt sich diese Einstellungen.
 taps-held = Aufgenommen: { $thing }. Tippe auf die neue Stelle. Esc oder ein Tipp darauf legt es zurück.
 taps-put = Abgelegt: { $thing }
 taps-back = Zurückgelegt: { $thing }
+taps-nothing = Hier ist nichts zum Aufnehmen; einen angehaltenen Körper trifft man leichter.
 taps-button = Zurücklegen
 taps-selection = Auswahl
 taps-frame = Ecke eines Rahmens

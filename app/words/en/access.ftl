@@ -27,6 +27,7 @@ access-kept = This device keeps these settings.
 taps-held = Picked up: { $thing }. Tap where it goes. Esc, or a tap on it, puts it back.
 taps-put = Put down: { $thing }
 taps-back = Put back: { $thing }
+taps-nothing = There is nothing to pick up here; a body that is paused is easier to tap.
 taps-button = Put back
 taps-selection = selection
 taps-frame = corner of a frame

@@ -3,3 +3,6 @@ language-name = English
 language-direction = ltr
 # A name or what was typed, in quotation marks.
 language-quoted = '{ $text }'
+# A list, one item after the other; of sentences, or of what has commas itself.
+language-comma = { $before }, { $after }
+language-semicolon = { $before }; { $after }

@@ -25,6 +25,7 @@ access-kept = Este dispositivo conserva estos ajustes.
 taps-held = Tomado: { $thing }. Toca el lugar adonde va. Esc, o un toque encima, lo devuelve a su sitio.
 taps-put = Colocado: { $thing }
 taps-back = Devuelto a su sitio: { $thing }
+taps-nothing = Aquí no hay nada que tomar; un cuerpo en pausa es más fácil de tocar.
 taps-button = Devolver
 taps-selection = selección
 taps-frame = esquina de un marco

@@ -25,6 +25,7 @@ access-kept = Cet appareil garde ces réglages.
 taps-held = Pris : { $thing }. Touche l’endroit où le mettre. Échap, ou une touche dessus, le remet à sa place.
 taps-put = Posé : { $thing }
 taps-back = Remis en place : { $thing }
+taps-nothing = Il n’y a rien à prendre ici ; un corps en pause est plus facile à toucher.
 taps-button = Remettre
 taps-selection = sélection
 taps-frame = coin d’un cadre

@@ -1,3 +1,5 @@
 language-name = Français
 language-direction = ltr
 language-quoted = « { $text } »
+language-comma = { $before }, { $after }
+language-semicolon = { $before } ; { $after }

@@ -25,6 +25,7 @@ access-kept = Bu cihaz bu ayarları saklar.
 taps-held = Alındı: { $thing }. Gideceği yere dokun. Esc ya da üstüne bir dokunuş onu yerine bırakır.
 taps-put = Konuldu: { $thing }
 taps-back = Yerine bırakıldı: { $thing }
+taps-nothing = Burada alınacak bir şey yok; duraklatılmış bir cisme dokunmak daha kolaydır.
 taps-button = Yerine bırak
 taps-selection = seçim
 taps-frame = çerçevenin köşesi

@@ -1,3 +1,5 @@
 language-name = Türkçe
 language-direction = ltr
 language-quoted = “{ $text }”
+language-comma = { $before }, { $after }
+language-semicolon = { $before }; { $after }

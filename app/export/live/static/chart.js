@@ -15,7 +15,7 @@
 import { axisMarks, rangeOf } from "../../../stage/axes.js";
 import { make } from "../../../ui/dialog.js";
 import { numbersOf, sentenceOf } from "../../../ui/plot_words.js";
-import { say, tied, upright } from "../../../words/words.js";
+import { joined, say, tied, upright } from "../../../words/words.js";
 import { said } from "./readings.js";
 
 /** Simulated seconds that a plot over time shows. */
@@ -147,14 +147,14 @@ export function makeChart(plot) {
       return say("live-swing", { reading, period: said(swing.period), amplitude: upright(`${said(swing.amplitude)} ${units[i]}`.trim()) });
     });
     /** @param {"period" | "amplitude"} what */
-    const of = (what) => found.map((swing) => said(swing?.[what] ?? 0)).join(", ");
-    const readings = told.join("; ");
+    const of = (what) => joined(found.map((swing) => said(swing?.[what] ?? 0)));
+    const readings = joined(told, "language-semicolon");
     if (at >= 0) reading.textContent = tied(say("live-at", { time: said(times[at]), readings }));
     else if (names.length <= 2) reading.textContent = tied(readings);
     else if (!found.every(Boolean)) reading.textContent = "";
     else reading.textContent = say("live-swings", { periods: of("period"), amplitudes: upright(`${of("amplitude")} ${units[0]}`.trim()) });
     /** @param {string} name @param {string} unit */
-    const labelled = (name, unit) => name + (unit && `, ${unit}`);
+    const labelled = (name, unit) => joined([name, unit]);
     shown = {
       along: { label: over ? labelled(overWords, overUnit) : say("ui-plot-time"), values: along, isTime: !over },
       curves: words.map((word, i) => ({ label: labelled(word, units[i]), values: curves[i] })),
