@@ -138,20 +138,18 @@ def make_stable(scene: Scene, dt: float | None = None, method: Method | None = N
         middle = math.sqrt(low * high)
         low, high = (middle, high) if _is_calm(capped(middle)) else (low, middle)
     cap = high if calm else low
-    reason = ""
-    while cap >= _SOFTEST:
-        found = capped(cap)
-        runs_away = _runs_away(found)
-        if runs_away is None:
-            return found
-        reason = runs_away.reason
+    found = capped(cap)
+    while (runs_away := _runs_away(found)) is not None and cap * _LOWER >= _SOFTEST:
         cap *= _LOWER
+        found = capped(cap)
+    if runs_away is None:
+        return found
     raise InputError(
         Text(
             "{where}: at {step:g} s the body runs away from its start, however soft its springs: {reason}",
             where="make_stable",
             step=step,
-            reason=reason,
+            reason=runs_away.reason,
         )
     )
 

@@ -16,6 +16,7 @@ import sim
 from sim.analysis import tuning as module
 from sim.errors import InputError, SceneError
 from sim.forces.touch.push import damping_factor
+from sim.motion import divergence
 from sim.motion.stability import largest_step
 from sim.scene.types import Method
 from sim.solve.registry import METHODS
@@ -220,12 +221,17 @@ def test_a_violent_start_is_run_too() -> None:
     assert simulation.divergence is None
 
 
-def test_a_step_that_no_softer_spring_makes_stable_is_refused_with_the_reason() -> None:
+def test_a_step_that_no_softer_spring_makes_stable_is_refused_with_the_reason(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     braked, fast = (posed(weight(), speeds=[(0.0, 0.0), (speed, 0.0)]) for speed in (1e4, 9e6))
     why = "make_stable: at 0.0025 s it is not springs .* but air friction$"
     assert re.match(why, refusal(InputError, sim.make_stable, replace(braked, air_friction=5.0)))
-    why = "however soft its springs: the time step is below"
+    why, blamed = "however soft its springs: the time step is below", list[object]()
+    find = divergence.limit_to_blame
+    monkeypatch.setattr(divergence, "limit_to_blame", lambda *about: blamed.append(about) or find(*about))
     assert why in refusal(InputError, sim.make_stable, fast)
+    assert len(blamed) == 1, "it takes long, and is for what is said only"
 
 
 def test_methods_without_a_limit_change_nothing_but_the_step() -> None:
