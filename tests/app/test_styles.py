@@ -10,8 +10,10 @@ from pathlib import Path
 import pytest
 
 import app.pages
-from app.pages.sandbox.assets import page_files
+from app.gate.gate import CLASS
+from app.pages.sandbox.assets import page_files, translated
 from app.stage.looks import style_rules
+from app.words import languages
 
 APP = Path(app.pages.__file__).parents[1]
 PARTS = ("stage", "ui", "features", "pages")
@@ -184,9 +186,19 @@ def test_the_types_of_every_script_are_checked() -> None:
     assert {path for path in APP.rglob("*.js") if not {"templates", "fluent"} & set(path.parts)} == checked
 
 
+def test_what_a_page_loads_first_stays_small() -> None:
+    """Packed, with the words of one language, and besides viser's script: some 155 and 68 kB."""
+    sizes = {path.rpartition("softrod/")[2].partition("/")[2]: file for path, file in page_files().items()}
+    script, of_class = (len(sizes[f"pages/{name}/main.js"].content) for name in ("sandbox", "classroom"))
+    for tag in languages():
+        page, class_page = (translated(path, tag) or page_files()[path] for path in ("/", CLASS))
+        assert len(page.content) + script < 162_000, tag
+        assert len(class_page.content) + of_class < 71_000, tag
+
+
 def test_scripts_are_sent_as_one_without_comments_and_types() -> None:
     sent = {path.rpartition("/")[2]: file for path, file in page_files().items() if path.endswith(".js")}
-    later = {"desk.js", "strip.js", "form.js", "wall.js", "physics.js"}
+    later = {"desk.js", "strip.js", "form.js", "sound.js", "picture.js", "wall.js", "physics.js"}
     assert sent.keys() == {"main.js", "check.js", "video.js"} | later
     for name, file in sent.items():
         lean = gzip.decompress(file.content).decode()

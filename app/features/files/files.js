@@ -1,7 +1,6 @@
 // @ts-check
 /** Files that are opened, pictures that are saved, and links. */
 import { listenToOpenFile } from "./open_file.js";
-import { takePicture } from "./picture.js";
 import { makeShareDialog } from "./share.js";
 
 let openShareDialog = () => {};
@@ -16,7 +15,7 @@ export default {
   commands: {
     share: () => openShareDialog(),
     video: () => void window.open("video", "_blank", "noopener"),
-    picture: () => void takePicture(),
+    picture: async () => (await import("./picture.js")).takePicture(),
   },
   begin,
 };

@@ -4,9 +4,9 @@
  * not sent otherwise.
  */
 import { onMessage, pageState, send } from "../../wire/channel.js";
+import { hearLater } from "../../wire/later.js";
 import { addTeller } from "../../ui/dialog.js";
 import { readPhases } from "./phase.js";
-import { listenToPlots } from "./sound.js";
 import { showTab } from "../../ui/gui/gui.js";
 import { say } from "../../words/words.js";
 
@@ -18,9 +18,12 @@ const MAX_POLLS = 20;
 
 const titles = () => [...document.querySelectorAll(".softrod-plot-title")];
 
+/** Whether a message is to be heard: only then the sound is loaded. @param {import("../../wire/wire.js").Received["melody" | "tones" | "pageState"]} message */
+const isHeard = (message) => message.tell === "melody" || (message.tell === "tones" && Boolean(message.plot));
+
 function begin() {
   readPhases();
-  listenToPlots();
+  hearLater(["melody", "tones", "pageState"], isHeard, async () => (await import("./sound.js")).hear);
   const tell = addTeller();
   onMessage("showMeasures", () => {
     const { measuring = "" } = pageState();

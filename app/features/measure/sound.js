@@ -3,7 +3,7 @@
  * Plots that are heard: what is in view in three seconds, or the newest values while the body moves. A line on the plot shows
  * where the sound is. `app/ui/pitch.js` has the pitches.
  */
-import { onMessage, pageState } from "../../wire/channel.js";
+import { pageState } from "../../wire/channel.js";
 import { access } from "../../ui/access.js";
 import { addTeller } from "../../ui/dialog.js";
 import { controlOf } from "../../ui/gui/gui.js";
@@ -161,23 +161,26 @@ class Live {
   }
 }
 
-/** Begins to listen for plots that are to be heard. */
-export function listenToPlots() {
-  const tell = addTeller();
-  /** @type {Played | null} */
-  let played = null;
-  onMessage("melody", (melody) => {
-    played?.end();
-    played = null;
-    const { lines } = melody;
-    if (!melody.plot || !lines.length) tell(say("melody-no-plot"));
-    else if (!access().sound) tell(say("melody-off"));
-    else {
-      played = new Played(melody);
-      tell(inWords(melody));
-    }
-  });
-  const live = new Live();
-  onMessage("tones", (told) => live.take(told));
-  onMessage("pageState", ({ playing }) => playing || live.rest());
+const tell = addTeller();
+/** @type {Played | null} */
+let played = null;
+const live = new Live();
+
+/** @param {Melody} melody */
+function play(melody) {
+  played?.end();
+  played = null;
+  if (!melody.plot || !melody.lines.length) tell(say("melody-no-plot"));
+  else if (!access().sound) tell(say("melody-off"));
+  else {
+    played = new Played(melody);
+    tell(inWords(melody));
+  }
+}
+
+/** @param {import("../../wire/wire.js").Received["melody" | "tones" | "pageState"]} message */
+export function hear(message) {
+  if (message.tell === "melody") play(message);
+  else if (message.tell === "tones") live.take(message);
+  else if (!message.playing) live.rest();
 }
