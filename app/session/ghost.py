@@ -130,16 +130,3 @@ class Ghost(Companion):
         apart = np.hypot(*(simulation.positions - self.simulation.positions).T)
         self.distance = float(apart.max(initial=0.0))
         self.worst = max(self.worst, self.distance)
-
-    @property
-    def label(self) -> str:
-        """Its name in the page."""
-        if self.method == REFERENCE:
-            parts = ["Reference"]
-        else:
-            parts = [CHOICES["method"].options[self.method]]
-            if self.finer > 1:
-                parts.append(f"{'tolerance' if METHODS[self.method].adaptive else 'step'} / {self.finer}")
-        if self.law:
-            parts.append(f"{CHOICES['force_law'].options[self.law].lower().removesuffix(' law')} law")
-        return ", ".join(parts)

@@ -16,13 +16,14 @@ from sim.motion.quantities import ENERGY_UNIT, unit_in
 from sim.scene.types import is_loaded
 from sim.solve.registry import METHODS
 
+from ..session.ghost import REFERENCE, Ghost
 from ..session.session import Session
 from ..stage.colors import Palette
 from ..stage.plan import broken_of, yielded_of
 from ..words import decimal, find, joined, say
 from ..words.english import of
 from ..words.keys import Key
-from ..words.settings import options_of
+from ..words.settings import label_of_choice, options_of
 
 _NAMES: dict[str, Key] = {
     "sine": "card-sine",
@@ -318,16 +319,30 @@ def _duration(seconds: float) -> str:
     return decimal(f"{seconds:.3g} s" if seconds >= 0.1 else f"{1e3 * seconds:.3g} ms")
 
 
+def ghost_name(ghost: Ghost) -> str:
+    """How the ghost moves, where that differs from the body."""
+    if ghost.method == REFERENCE:
+        parts = [say("solver-compare.reference")]
+    else:
+        parts = [options_of("method")[ghost.method]]
+        if ghost.finer > 1:
+            key = "ghost-title.tolerance" if METHODS[ghost.method].adaptive else "ghost-title.step"
+            parts.append(say(key, finer=ghost.finer))
+    if ghost.law:
+        parts.append(f"{label_of_choice('force_law')}: {options_of('force_law')[ghost.law]}")
+    return joined(parts)
+
+
 def ghost_table(session: Session) -> str:
     """The distance of the ghost from the body, and its cost."""
     ghost = session.ghost
     if ghost is None:
         return ""
     if ghost.is_compiling:
-        return table({say("ghost-title"): html.escape(say("ghost-title.compiled", ghost=ghost.label))})
+        return table({say("ghost-title"): html.escape(say("ghost-title.compiled", ghost=ghost_name(ghost)))})
     unit = html.escape(session.scene.view.unit)
     rows = {
-        say("ghost-title"): html.escape(ghost.label),
+        say("ghost-title"): html.escape(ghost_name(ghost)),
         say("ghost-distance"): decimal(f"{ghost.distance:.3g}") + f" {unit}",
         say("ghost-worst"): decimal(f"{ghost.worst:.3g}") + f" {unit}",
         say("ghost-solver"): decimal(f"{1e3 * ghost.cost:.3f} ms"),

@@ -1580,6 +1580,8 @@ export type Words = {
   "tuning-slower": "percent";
   "ghost-title": never;
   "ghost-title.compiled": "ghost";
+  "ghost-title.tolerance": "finer";
+  "ghost-title.step": "finer";
   "ghost-distance": never;
   "ghost-worst": never;
   "ghost-solver": never;

@@ -1582,6 +1582,8 @@ Key = Literal[
     "tuning-slower",
     "ghost-title",
     "ghost-title.compiled",
+    "ghost-title.tolerance",
+    "ghost-title.step",
     "ghost-distance",
     "ghost-worst",
     "ghost-solver",

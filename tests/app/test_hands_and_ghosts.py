@@ -13,6 +13,7 @@ from app.session.ghost import FINER
 from app.session.pacing import HEAVY_UNIT, Costs
 from app.stage.colors import palette
 from app.ui import readouts
+from app.words import speaking
 from studies.bench import frames
 from tests.app.pages import BUDGET, FRAME, SessionPage, in_one_piece
 
@@ -159,7 +160,9 @@ def test_a_ghost_of_a_finer_tolerance() -> None:
     ghost = page.ghost
     assert ghost.simulation.scene.integrator.tolerance == pytest.approx(0.01)
     assert ghost.simulation.dt == page.simulation.dt
-    assert "Adams, tolerance / 10, conservative law" in readouts.ghost_table(page.session)
+    assert "Adams, tolerance / 10, Force law: Conservative" in readouts.ghost_table(page.session)
+    with speaking("de"):
+        assert "Adams, Toleranz / 10, Kraftgesetz: Konservativ" in readouts.ghost_table(page.session)
 
 
 def test_a_ghost_s_step_is_one_that_a_scene_may_have() -> None:

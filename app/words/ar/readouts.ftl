@@ -83,6 +83,8 @@ tuning-slower = أبطأ بنسبة ⁦{ $percent } %⁩
 
 ghost-title = الشبح
     .compiled = { $ghost }: يظهر بعد ترجمة البرنامج
+    .tolerance = الخطأ المسموح به / { $finer }
+    .step = الخطوة / { $finer }
 ghost-distance = المسافة الآن
 ghost-worst = أكبر مسافة
 ghost-solver = زمن حساب الشبح لكل إطار

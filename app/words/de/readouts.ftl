@@ -75,6 +75,8 @@ tuning-slower = { $percent } % langsamer
 
 ghost-title = Geist
     .compiled = { $ghost }: kommt, sobald er übersetzt ist
+    .tolerance = Toleranz / { $finer }
+    .step = Schritt / { $finer }
 ghost-distance = Abstand jetzt
 ghost-worst = größter Abstand
 ghost-solver = Löser des Geists, je Bild

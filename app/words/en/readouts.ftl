@@ -85,6 +85,8 @@ tuning-slower = { $percent } % slower
 # A second body that is computed in another way.
 ghost-title = ghost
     .compiled = { $ghost }: comes when it is compiled
+    .tolerance = tolerance / { $finer }
+    .step = step / { $finer }
 ghost-distance = distance now
 ghost-worst = largest distance
 ghost-solver = ghost's solver, per frame

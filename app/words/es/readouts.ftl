@@ -75,6 +75,8 @@ tuning-slower = { $percent } % más lenta
 
 ghost-title = fantasma
     .compiled = { $ghost }: aparece cuando esté compilado
+    .tolerance = tolerancia / { $finer }
+    .step = paso / { $finer }
 ghost-distance = distancia ahora
 ghost-worst = distancia máxima
 ghost-solver = cálculo del fantasma, por fotograma

@@ -75,6 +75,8 @@ tuning-slower = { $percent } % plus lent
 
 ghost-title = fantôme
     .compiled = { $ghost } : arrive une fois compilé
+    .tolerance = tolérance / { $finer }
+    .step = pas / { $finer }
 ghost-distance = distance actuelle
 ghost-worst = plus grande distance
 ghost-solver = solveur du fantôme, par image

@@ -69,6 +69,8 @@ tuning-slower = %{ $percent } daha yavaş
 
 ghost-title = hayalet
     .compiled = { $ghost }: derlenince gelir
+    .tolerance = tolerans / { $finer }
+    .step = adım / { $finer }
 ghost-distance = şimdiki uzaklık
 ghost-worst = en büyük uzaklık
 ghost-solver = hayaletin çözücüsü, kare başına
