@@ -603,6 +603,7 @@ export type Words = {
   "describe-lies.all": "width" | "height";
   "describe-hangs": "mass" | "depth";
   "describe-still": never;
+  "describe-still.away": "length";
   "describe-still.nearly": "length";
   "describe-moves": "mass" | "way" | "speed";
   "describe-drifts": "whole" | "speed";

@@ -605,6 +605,7 @@ Key = Literal[
     "describe-lies.all",
     "describe-hangs",
     "describe-still",
+    "describe-still.away",
     "describe-still.nearly",
     "describe-moves",
     "describe-drifts",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 import time
 
@@ -144,3 +145,13 @@ def test_a_body_that_swings_by_less_than_one_length_is_nearly_at_rest() -> None:
     assert "moves down at 2 px/s" in paragraph(found, scene, swing_of(found, scene, rest + 5.0))
     fast = dataclasses.replace(found, velocity=(0.0, 20.0))
     assert "moves down at 20 px/s" in paragraph(fast, scene, swing_of(fast, scene, rest))
+
+
+def test_a_body_that_is_not_let_go_yet_is_not_at_rest() -> None:
+    scene = sim.load_scene("rod")
+    simulation = sim.Simulation(scene)
+    found, rest = describe(simulation, scene), Modes(scene, 1).rest
+    told = paragraph(found, scene, swing_of(found, scene, simulation.positions))
+    away = re.search(r"It does not move now, ([\d.]+) px away from its rest\.", told)
+    assert away, told
+    assert float(away[1]) == pytest.approx(max(map(math.hypot, *(simulation.positions - rest).T)), rel=0.02)

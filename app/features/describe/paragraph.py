@@ -168,12 +168,15 @@ def _held(pieces: list[Piece], are_several: bool) -> str:
     return say("describe-held-most", count=len(held))
 
 
-def way_of(vector: tuple[float, float], up: float) -> str:
+def way_in_words(vector: tuple[float, float], up: float) -> str:
     """The direction of a vector, in words."""
     return say("describe-way", way=_WAYS[round(direction(vector, up) / 45.0) % 8])
 
 
 def _motion(found: Description, swing: Swing | None, unit: str, up: float) -> Iterator[str]:
+    if found.is_still and swing is not None and swing.away >= _NEARLY:
+        yield say("describe-still.away", length=f"{number(swing.away)} {unit}")
+        return
     if found.is_still:
         yield say("describe-still")
         return
@@ -183,12 +186,12 @@ def _motion(found: Description, swing: Swing | None, unit: str, up: float) -> It
     yield say(
         "describe-moves",
         mass=str(found.fastest),
-        way=way_of(found.velocity, up),
+        way=way_in_words(found.velocity, up),
         speed=f"{number(found.speed)} {unit}/s",
     )
     drift = math.hypot(*found.drift)
     if drift > 0.1 * found.speed:
-        yield say("describe-drifts", whole=way_of(found.drift, up), speed=f"{number(drift)} {unit}/s")
+        yield say("describe-drifts", whole=way_in_words(found.drift, up), speed=f"{number(drift)} {unit}/s")
     degrees = math.degrees(found.turning)
     if abs(degrees) >= _SLOW:
         sense = "counterclockwise" if degrees > 0.0 else "clockwise"
@@ -208,6 +211,6 @@ def _changes(found: Description, before: Description, unit: str, up: float) -> I
     if found.broken > before.broken:
         yield say("describe-broke", count=found.broken - before.broken)
     if math.hypot(*way) > _UNHEARD * size:
-        yield say("describe-moved", way=way_of(way, up), length=f"{number(math.hypot(*way))} {unit}")
+        yield say("describe-moved", way=way_in_words(way, up), length=f"{number(math.hypot(*way))} {unit}")
     elif found.broken == before.broken:
         yield say("describe-same")

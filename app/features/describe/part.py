@@ -8,7 +8,7 @@ from sim.analysis.part_description import JointFound, MassFound, PartFound, Spri
 from sim.scene.types import Scene
 
 from ...words import listed, number, say
-from .paragraph import way_of
+from .paragraph import way_in_words
 
 _MANY = 8
 """Springs of a mass that are listed, at most."""
@@ -42,7 +42,7 @@ def _of_mass(found: MassFound, unit: str, up: float, is_in_hand: bool) -> Iterat
         yield say("describe-part-held")
     if found.speed > 0.0:
         speed = f"{number(found.speed)} {unit}/s"
-        yield say("describe-part-moves", way=way_of(found.velocity, up), speed=speed)
+        yield say("describe-part-moves", way=way_in_words(found.velocity, up), speed=speed)
     else:
         yield say("describe-part-still")
     if not found.springs:

@@ -155,6 +155,7 @@ describe-lies = عرض الجسم { $width } وارتفاعه { $height }.
 describe-hangs = أخفض كتلة فيه هي الكتلة { $mass }، وتقع تحت أعلى كتلة مثبتة بمقدار { $depth }.
 
 describe-still = الجسم ساكن.
+    .away = الجسم لا يتحرك الآن، وهو على بعد { $length } من موضع سكونه.
     .nearly = الجسم شبه ساكن: يتذبذب بأقل من { $length }.
 describe-moves = أسرع كتلة فيه هي الكتلة { $mass }، وتتحرك { $way } بسرعة { $speed }.
 describe-drifts = يتحرك الجسم ككل { $whole } بسرعة { $speed }.

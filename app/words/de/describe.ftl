@@ -106,6 +106,7 @@ describe-lies = Der Körper ist { $width } breit und { $height } hoch.
 describe-hangs = Seine tiefste Masse, { $mass }, liegt { $depth } unter der höchsten festgehaltenen.
 
 describe-still = Er ist in Ruhe.
+    .away = Er bewegt sich gerade nicht, { $length } von seiner Ruhelage entfernt.
     .nearly = Er ist fast in Ruhe: Er schwingt um weniger als { $length }.
 describe-moves = Seine schnellste Masse, { $mass }, bewegt sich { $way } mit { $speed }.
 describe-drifts = Als Ganzes bewegt er sich { $whole } mit { $speed }.

@@ -94,6 +94,7 @@ describe-hangs = Its lowest mass, { $mass }, is { $depth } below the highest one
 
 # How it moves: speeds with their unit. { $way } and { $whole } are directions, see describe-way.
 describe-still = It is at rest.
+    .away = It does not move now, { $length } away from its rest.
     .nearly = It is nearly at rest: it swings by less than { $length }.
 describe-moves = Its fastest mass, { $mass }, moves { $way } at { $speed }.
 describe-drifts = As a whole it moves { $whole } at { $speed }.

@@ -106,6 +106,7 @@ describe-lies = Mide { $width } de ancho y { $height } de alto.
 describe-hangs = Su masa más baja, la { $mass }, está { $depth } por debajo de la masa fija más alta.
 
 describe-still = Está en reposo.
+    .away = Ahora no se mueve, a { $length } de su reposo.
     .nearly = Está casi en reposo: oscila menos de { $length }.
 describe-moves = Su masa más rápida, la { $mass }, se mueve { $way } a { $speed }.
 describe-drifts = En conjunto se mueve { $whole } a { $speed }.

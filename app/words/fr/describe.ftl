@@ -106,6 +106,7 @@ describe-lies = L’objet mesure { $width } de large et { $height } de haut.
 describe-hangs = La masse { $mass }, la plus basse, est { $depth } plus bas que la plus haute des masses fixées.
 
 describe-still = L’objet est au repos.
+    .away = L’objet ne bouge pas en ce moment, à { $length } de son repos.
     .nearly = L’objet est presque au repos : il oscille de moins de { $length }.
 describe-moves = La masse { $mass }, la plus rapide, se déplace { $way } à { $speed }.
 describe-drifts = Dans l’ensemble, l’objet se déplace { $whole } à { $speed }.

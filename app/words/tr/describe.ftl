@@ -68,6 +68,7 @@ describe-lies = Genişliği { $width }, yüksekliği { $height }.
 describe-hangs = En alttaki kütlesi, { $mass } numaralı olan, sabitlenmişlerin en yükseğinden { $depth } aşağıda.
 
 describe-still = Cisim hareketsiz.
+    .away = Şu an hareket etmiyor; denge konumundan { $length } uzakta.
     .nearly = Cisim neredeyse hareketsiz: { $length } değerinden az salınıyor.
 describe-moves = En hızlı kütlesi, { $mass } numaralı olan, { $way } { $speed } süratle hareket ediyor.
 describe-drifts = Cisim bütün olarak { $whole } { $speed } süratle hareket ediyor.
