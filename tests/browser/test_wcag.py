@@ -268,7 +268,7 @@ def test_larger_enlarges_all_that_a_phone_shows_and_no_target_shrinks(all_places
     all_places.close()
     page, _ = shown(all_places, name)
     usual, sizes = page.evaluate(TEXTS), page.evaluate(TARGETS)
-    page.keyboard.press("p")
+    page.keyboard.press("z")
     page.wait_for_timeout(600)
     large, after = page.evaluate(TEXTS), page.evaluate(TARGETS)
     faults = measured(page, ("sideways",), ("unreached", "body"))
