@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.page.check import NODE
+
 ROOT = Path(__file__).parents[2]
 FILES = ("messages.py", "feature.py", "speed.js", "speed.ftl")
 TRY = """
@@ -59,3 +61,20 @@ def test_the_guide_s_feature_is_one(tmp_path: Path) -> None:
         [sys.executable, "-c", TRY, str(tmp_path)], capture_output=True, text=True, cwd=ROOT, check=False
     )
     assert tried.returncode == 0, tried.stderr
+
+
+def test_a_new_command_may_have_any_letter_that_is_free(tmp_path: Path) -> None:
+    for folder in ("app", "tests/page"):
+        skipped = shutil.ignore_patterns("*.py", "__pycache__", "*.webp")
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=skipped)
+    table = tmp_path / "app" / "wire" / "commands.js"
+    text = table.read_text(encoding="utf-8")
+    free = [letter for letter in "abcdefghijklmnopqrstuvwxyz" if f'"{letter}"' not in text]
+    assert free
+    anew, keys = '"command-anew", "keys": []', ", ".join(f'"{letter}"' for letter in free)
+    assert anew in text
+    table.write_text(text.replace(anew, f'"command-anew", "keys": [{keys}]'), encoding="utf-8")
+    page = tmp_path / "tests" / "page"
+    words, keys_test = f"--import={(page / 'words.mjs').as_uri()}", page / "keys.test.mjs"
+    tried = subprocess.run([NODE, words, "--test", keys_test], capture_output=True, text=True, check=False)
+    assert tried.returncode == 0, tried.stdout
