@@ -96,19 +96,29 @@ def entries(tag: str) -> dict[str, ast.Message]:
     Raises:
         ValueError: a file has an error, or two have the same message.
     """
-    found: dict[str, ast.Message] = {}
     if tag == PSEUDO:
         return {name: Pseudo().visit(entry.clone()) for name, entry in entries(ENGLISH).items()}
+    found, faults = parsed(tag)
+    if faults:
+        raise ValueError("\n".join(faults))
+    return {name: entry for name, (_, entry) in found.items()}
+
+
+def parsed(tag: str) -> tuple[dict[str, tuple[str, ast.Message]], list[str]]:
+    """The messages that a language has itself, each with the name of its file, and what is wrong with the
+    files, a sentence each."""
+    found: dict[str, tuple[str, ast.Message]] = {}
+    faults: list[str] = []
     for path in sorted((spoken.FOLDER / tag).glob("*.ftl")):
         for entry in FluentParser(with_spans=False).parse(path.read_text(encoding="utf-8")).body:
             if isinstance(entry, ast.Junk):
-                raise ValueError(f"{path.name} of {tag}: {entry.annotations[0].message} in {entry.content!r}")
+                faults.append(f"{path.name} of {tag}: {entry.annotations[0].message} in {entry.content!r}")
             if isinstance(entry, ast.Message):
-                if entry.id.name in found:
-                    raise ValueError(f"{path.name} of {tag}: there are two messages {entry.id.name}")
                 entry.comment = None
-                found[entry.id.name] = entry
-    return found
+                first, _ = found.setdefault(name := entry.id.name, (path.name, entry))
+                if found[name][1] is not entry:
+                    faults.append(f"{path.name} of {tag}: the message {name} is there already, in {first}")
+    return found, faults
 
 
 class Pseudo(Transformer):

@@ -8,8 +8,16 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tests.page.check import NODE
+
 ROOT = Path(__file__).parents[2]
-FILES = ("messages.py", "feature.py", "speed.js", "speed.ftl")
+FILES = (
+    "speed/messages.py",
+    "speed/feature.py",
+    "speed/speed.js",
+    "words/en/speed.ftl",
+    "words/de/speed.ftl",
+)
 TRY = """
 import sys
 from pathlib import Path
@@ -27,6 +35,9 @@ features.COMMANDS = {**features.COMMANDS, **SpeedFeature.commands}
 features.CONTROLS = {**features.CONTROLS, **SpeedFeature.controls}
 from app.wire.from_page import Perform
 from tests.app.whole import WholePage
+from app.features.speed.messages import Fastest
+from app.words import speaking
+from tests import words
 from tests.page import generate
 
 assert 'import speed from "../../features/speed/speed.js";' in generate.features()
@@ -34,6 +45,7 @@ assert "export type Fastest = " in generate.types()
 assert '"speed-says": "mass" | "speed";' in generate.keys_for_script()
 assert 'speed: {"label": "command-speed", ' in generate.table()
 assert "| Y | how fast the fastest mass is |" in generate.keys_list()
+assert not list(words.wrong("de"))
 page = WholePage("rope")
 page.frames(5, Perform("speed"))
 page.frames(5)
@@ -53,9 +65,30 @@ def test_the_guide_s_feature_is_one(tmp_path: Path) -> None:
     shutil.copytree(ROOT / "app" / "words", tmp_path / "words", ignore=shutil.ignore_patterns("*.py"))
     (folder / "__init__.py").touch()
     for name, block in zip(FILES, blocks, strict=True):
-        where = tmp_path / "words" / "en" if name.endswith(".ftl") else folder
-        (where / name).write_text(re.sub(r"^   ", "", block, flags=re.MULTILINE), encoding="utf-8")
+        (tmp_path / name).write_text(re.sub(r"^   ", "", block, flags=re.MULTILINE), encoding="utf-8")
+    (test,) = re.findall(r"^```python\n(page = .*?)^```", section, re.DOTALL | re.MULTILINE)
     tried = subprocess.run(
-        [sys.executable, "-c", TRY, str(tmp_path)], capture_output=True, text=True, cwd=ROOT, check=False
+        [sys.executable, "-c", TRY + test, str(tmp_path)],
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+        check=False,
     )
     assert tried.returncode == 0, tried.stderr
+
+
+def test_a_new_command_may_have_any_letter_that_is_free(tmp_path: Path) -> None:
+    for folder in ("app", "tests/page"):
+        skipped = shutil.ignore_patterns("*.py", "__pycache__", "*.webp")
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=skipped)
+    table = tmp_path / "app" / "wire" / "commands.js"
+    text = table.read_text(encoding="utf-8")
+    free = [letter for letter in "abcdefghijklmnopqrstuvwxyz" if f'"{letter}"' not in text]
+    assert free
+    anew, keys = '"command-anew", "keys": []', ", ".join(f'"{letter}"' for letter in free)
+    assert anew in text
+    table.write_text(text.replace(anew, f'"command-anew", "keys": [{keys}]'), encoding="utf-8")
+    page = tmp_path / "tests" / "page"
+    words, keys_test = f"--import={(page / 'words.mjs').as_uri()}", page / "keys.test.mjs"
+    tried = subprocess.run([NODE, words, "--test", keys_test], capture_output=True, text=True, check=False)
+    assert tried.returncode == 0, tried.stdout

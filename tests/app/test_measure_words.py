@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import gzip
 import math
+import re
+from pathlib import Path
 from typing import Any
 
 import sim
@@ -24,6 +26,8 @@ from sim.solve.registry import METHODS
 from tests.app.panels import Handle
 from tests.app.whole import WholePage
 
+ROOT = Path(__file__).parents[2]
+
 
 def test_a_plot_is_chosen_and_told_in_the_page_s_language() -> None:
     with speaking("de"):
@@ -43,12 +47,18 @@ def test_a_plot_is_chosen_and_told_in_the_page_s_language() -> None:
 
 def test_quantities_are_called_in_the_language_that_is_spoken() -> None:
     for of, what in KINDS:
-        assert quantity_of(of, what) == what
+        assert find(f"quantity-{of}-{what.replace('_', '-')}") == what == quantity_of(of, what)
     assert part_called("joint3") == "joint3"
     with speaking("de"):
         assert part_called("joint3") == "Gelenk 3"
         assert quantity_of("joint", "rest_angle") == "Ruhewinkel"
         assert quantity_of("formula", "mass0.x + 1") == "mass0.x + 1"
+
+
+def test_each_quantity_stands_in_the_table_of_the_guide() -> None:
+    table = (ROOT / "docs" / "measuring.md").read_text(encoding="utf-8").partition("\n## ")[0]
+    named = re.findall(r"`([a-z]+)\d*\.([a-z_]+)`", table)
+    assert sorted(set(named) - {("ghost", "distance")}) == sorted(KINDS)
 
 
 def test_the_solver_is_told_of_in_the_page_s_language() -> None:

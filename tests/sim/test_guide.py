@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -117,17 +118,26 @@ def change(path: Path, old: str, new: str) -> None:
     path.write_text(text.replace(old, new), encoding="utf-8")
 
 
-def test_the_guide_s_quantity_is_one() -> None:
+def test_the_guide_s_quantity_is_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     section = GUIDE.partition("## A quantity\n")[2].partition("\n## ")[0]
     row, function = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
-    names = dict(vars(quantities))
-    exec(f"from __future__ import annotations\n{function}\nkind = ({row})[0]", names)
-    scene = sim.rope(masses=4, mass=2.5, gravity=(0.0, 1000.0))
-    simulation = sim.Simulation(scene)
+    shutil.copy(str(quantities.__file__), path := tmp_path / "quantities.py")
+    catalogue = f"# {'-' * 73} the catalogue\n"
+    change(path, catalogue, f"{function}\n\n{catalogue}")
+    change(path, "_ALL = (\n", f"_ALL = (\n    *{row.strip()},\n")
+    new = ModuleType("sim.motion.quantities_of_the_guide")
+    monkeypatch.setitem(sys.modules, new.__name__, new)
+    vars(new).update(__package__="sim.motion")
+    exec(path.read_text(encoding="utf-8"), vars(new))
+    simulation = sim.Simulation(sim.rope(masses=4, mass=2.5, gravity=(0.0, 1000.0)))
     simulation.advance(0.1)
-    found = names["kind"].values(simulation, np.arange(4))
+    found = new.KINDS["mass", "momentum"].values(simulation, np.arange(4))
     assert found == pytest.approx(2.5 * np.hypot(*simulation.velocities.T))
     assert found.max() > 0.0
+    assert len(new.KINDS) == len(quantities.KINDS) + 1
+    for name, kind in quantities.KINDS.items():
+        of = np.arange(1 if kind.of in ("joint", "spring") else 4)
+        assert np.array_equal(new.KINDS[name].values(simulation, of), kind.values(simulation, of)), name
 
 
 @pytest.mark.skipif(not NIGHT, reason="it compiles a copy of the solver; by night")

@@ -24,7 +24,7 @@ const ICON = "M2 12s4-7 10-7 10 7 10 7-4 7-10 7S2 12 2 12zM12 9a3 3 0 1 1 0 6 3 
 /**
  * @typedef {object} Entry
  * @property {import("../../wire/wire.js").CommandName} name of the command
- * @property {"view" | "modes" | "help"} part the control that it needs
+ * @property {string} part the control that it needs
  * @property {() => boolean} [on] of a switch
  */
 
@@ -108,7 +108,7 @@ class ViewMenu {
       item.tabIndex = -1;
       item.ariaLabel = item.title = say(name);
       row.append(item);
-      return { entry: { part: /** @type {const} */ ("view") }, item };
+      return { entry: { part: "view" }, item };
     });
   }
 
