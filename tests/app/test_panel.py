@@ -206,7 +206,7 @@ def test_the_ghost_is_chosen_with_its_law_and_step_and_another_scene_has_none() 
     page.enter("Ghost's step", "a quarter")
     page.enter("Ghost's law", "Angle law")
     assert (page.session.ghost.law, page.session.ghost.finer) == ("angle", 4)
-    assert "Symplectic Euler, step / 4, angle law" in page.gui.text()
+    assert "Symplectic Euler, step / 4, Force law: Angle law" in page.gui.text()
     assert "largest distance" in page.gui.text()
     page.shown(commands.Open(sim.load_scene("ring")))
     assert page.session.ghost is None
