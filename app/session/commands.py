@@ -454,7 +454,12 @@ class ForgetFuture(Command):
 
 
 class BackBeforeDivergence(Command):
-    """Pause, and show the body as it was before it ran away."""
+    """Pause, and show the body as it was before it ran away.
+
+    If the time step was too long, it keeps the settings of now: they are what is to be mended.
+    """
 
     def apply(self, session: Session, at: float) -> None:
-        session.show(session.history.before_runaway())
+        found = session.simulation.divergence
+        mends = found is not None and found.dt > found.stability.limit
+        session.show(session.history.before_runaway(), session.simulation.capture().scene if mends else None)

@@ -674,8 +674,13 @@ class Session:
             self.abandoned_future = AbandonedFuture.of(newer)
             self.refresh(Refresh.SETTINGS)
 
-    def show(self, index: int) -> None:
-        """Stop the clock, and show a past moment."""
+    def show(self, index: int, settings: sim.Scene | None = None) -> None:
+        """Stop the clock, and show a past moment.
+
+        Args:
+            index: of the moment.
+            settings: a scene whose settings it gets if it is of the same body; its own otherwise.
+        """
         self.play(False)
         history, before = self.history, self.simulation.capture().scene
         if self.replay is None:
@@ -684,6 +689,8 @@ class Session:
                 # Keep what was changed since the last frame.
                 history.amend(self.simulation.capture(), self.companions.capture())
             self.recorder.restore(history[index])
+            if settings is not None and same_topology(history[index].scene, settings):
+                self.recorder.set_scene(settings, keys_too=False)
         elif index == history.last:
             self.simulation = self.replay.simulation  # it must continue as if nobody had looked back
         else:

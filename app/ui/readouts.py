@@ -137,11 +137,11 @@ def joint_table(session: Session) -> str:
     angle = float(angles[session.joint])
     radians = math.radians(angle)
     values = {
-        "sine": f"{math.sin(radians):+.4f}",
-        "cosine": f"{math.cos(radians):+.4f}",
-        "radians": f"{radians:+.4f} rad",
-        "degrees": f"{angle:+.2f}°",
-        "rest_angle": f"{float(simulation.rest_angles[session.joint]):+.2f}°",
+        "sine": decimal(f"{math.sin(radians):+.4f}"),
+        "cosine": decimal(f"{math.cos(radians):+.4f}"),
+        "radians": decimal(f"{radians:+.4f} rad"),
+        "degrees": decimal(f"{angle:+.2f}°"),
+        "rest_angle": decimal(f"{float(simulation.rest_angles[session.joint]):+.2f}°"),
     }
     # Named as in plots; numbers count from 0 everywhere.
     rows = [
@@ -222,7 +222,7 @@ def predictability_table(session: Session) -> str:
         return table({say("errors-grow"): say("errors-grow.measured")})
     rows = {
         say("errors-factor"): decimal(f"× {factor_of(growth):.2g}"),
-        say("errors-rate"): f"{growth:+.2g} / s",
+        say("errors-rate"): decimal(f"{growth:+.2g} / s"),
         say("errors-time"): decimal(f"{1.0 / growth:.2g} s") if growth > 0.0 else say("errors-time.none"),
         say("errors-solver"): decimal(f"{1e3 * meter.cost:.3f} ms"),
     }

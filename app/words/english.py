@@ -111,6 +111,6 @@ def written(text: str, scene: Scene) -> str:
     """What a scene has itself for a text that came back from a form, if nobody has changed it there."""
     if language() == ENGLISH:
         return text
-    known: dict[str, str] = {}
+    known = {name_of(scene): shown_name(scene)}
     with_texts(scene, lambda own: known.setdefault(of(own), own))
     return known.get(text, text)

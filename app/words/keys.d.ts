@@ -863,6 +863,8 @@ export type Words = {
   "files-failed.error": never;
   "files-one": never;
   "files-one.text": never;
+  "files-slow": never;
+  "files-slow.text": never;
   "files-about-file": never;
   "files-about-program": never;
   "files-no-body": never;
@@ -1900,6 +1902,7 @@ export type Words = {
   "solver-is-stable": never;
   "solver-is-stable.text": "step";
   "solver-is-stable.target": "step";
+  "solver-lost": "wishes";
   "solver-not-critical": never;
   "solver-not-critical.text": "step";
   "solver-not-critical.ratio": "step" | "ratio";

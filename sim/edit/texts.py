@@ -12,10 +12,11 @@ from ..scene.parts import Mass
 from ..scene.types import Scene, shown_name
 from ..scene.validate import validate
 from ..store.files import is_built_in, safe_name
+from ..text import Text
 from .edit import Edit
 
-UNNAMED = "my scene"
-"""Name of a scene made from a preset, until it gets another name."""
+UNNAMED = str.__str__(Text("my scene"))
+"""Name of a scene made from a preset, until it gets another name; translated, but a plain str for files."""
 
 
 def with_texts(scene: Scene, change: Callable[[str], str]) -> Scene:

@@ -33,7 +33,7 @@ from app.session.notices import Notice
 from app.stage.sketch import Mapping
 from app.ui.view import picture_of
 from app.wire.messages import Key, read
-from app.words import say
+from app.words import say, speaking
 from sim.edit import build
 from sim.edit.edit import Selection
 from tests.app.letters import Letters
@@ -388,6 +388,10 @@ def test_a_body_that_was_built_from_a_preset_has_none_of_its_texts() -> None:
     page = Page(sim.load_scene("empty"))
     scene = page.do(Place(0.1, 0.1))
     assert (scene.name, scene.title, scene.description) == ("my scene", "", "")
+    with speaking("es"):
+        page.edits.do(SetTexts("mi escena", ""))  # as the form has it
+        page.frames(1)
+        assert page.session.scene is scene
     # The preset is back with its parts.
     assert page.do(commands.Undo()).title == "Start from nothing"
 

@@ -422,6 +422,22 @@ def test_there_is_a_way_back_to_before_a_divergence(preset: str, method: str, ov
     assert np.ptp(session.simulation.positions, axis=0).max() < 2.0 * size
 
 
+def test_going_back_before_a_divergence_keeps_the_step_that_was_too_long() -> None:
+    page = SessionPage(sim.set_choice(sim.load_scene("tutorial-3.3"), "method", "symplectic_euler"))
+    page.frames(60, commands.SetValue("rest_angle", 10.0))
+    page.frames(1, commands.SetValue("dt", 1.5 * page.session.stability.limit))
+    scene = page.session.scene
+    for _ in range(300):
+        page.frames(1)
+    assert page.session.offer_back
+    page.frames(1, commands.BackBeforeDivergence())
+    assert page.session.scene.integrator == scene.integrator
+    assert page.session.versions.undoable == "Time step"
+    assert page.simulation.time < 1.0
+    page.frames(30, commands.SetChoice("method", "auto"), commands.Play(True))
+    assert page.simulation.divergence is None
+
+
 def test_a_body_that_runs_away_from_the_first_step_goes_back_there() -> None:
     page = SessionPage(sim.set_value(tutorial_preset("ring"), "angular_stiffness", 1e8))
     page.drag(0, 1.0, frames=300)

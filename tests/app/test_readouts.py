@@ -11,6 +11,7 @@ import sim
 from app.session.session import Session
 from app.stage.colors import palette
 from app.ui import readouts
+from app.words import speaking
 from sim.solve.registry import METHODS
 
 
@@ -44,6 +45,8 @@ def test_the_angle_test_reads_the_tutorial_s_numbers() -> None:
     assert "-1.0000" in table
     assert "-90.00°" in table
     assert "-1.5708 rad" in table
+    with speaking("es"):
+        assert "-1,5708 rad" in readouts.joint_table(session)
 
 
 def test_a_scene_without_joints_has_no_readout() -> None:

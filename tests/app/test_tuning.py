@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections.abc import Callable
 from functools import partial
@@ -13,8 +14,8 @@ from msgspec.structs import replace
 
 import sim
 from app.features.solver import tuning_panel
-from app.features.solver.job import MAX_MASSES
-from app.features.solver.tuning_panel import TuningAnalysis, TuningPanel
+from app.features.solver.job import MAX_MASSES, worker
+from app.features.solver.tuning_panel import TuningAnalysis, TuningPanel, Wished
 from app.session import commands
 from app.session.notices import Notice
 from app.ui import readouts
@@ -299,6 +300,39 @@ def test_what_cannot_be_had_is_said_until_the_body_changes() -> None:
     assert "cannot be had" not in page.text
 
 
+def test_a_later_wish_says_which_older_ones_it_discards() -> None:
+    page = WishPage(sim.rod(masses=3, gravity=(0.0, 1000.0)))
+    page.wish("Calm after", 0.5)
+    page.wish("Sag", 0.5 * page.made["Sag"].value)
+    assert "No longer as wished: Calm after 0.5 s." in page.text
+
+
+def test_what_is_no_longer_as_wished_is_told_once_but_again_while_a_slider_is_dragged() -> None:
+    wished, rod = Wished(), sim.rod(masses=3, integrator=EULER)
+    soft = sim.set_value(rod, "angular_stiffness", 1000.0)
+    step = sim.tuning(rod).stable_steps["symplectic_euler"]
+    assert wished.discarded_by("calm_after", calm_after(rod), "calm", rod) == []
+    assert wished.discarded_by("dt", step, "step", rod) == []
+    for _ in range(2):
+        assert wished.discarded_by("frequency", frequency_of(soft), "soft", soft) == ["calm"]
+    assert wished.discarded_by("sag", 1.0, "sag", soft) == []
+
+
+def test_a_wish_is_said_to_be_worked_on_at_once_also_while_it_waits() -> None:
+    page, others = WishPage(ROD), threading.Event()
+
+    def wait() -> None:
+        others.wait(10.0)
+
+    worker.submit(wait)
+    page.made["Calm after"].enter(0.5)
+    page.panel.refresh()
+    assert "is being found out" in page.text and "slowest vibration" in page.text
+    others.set()
+    page.settle()
+    assert "is being found out" not in page.text
+
+
 def test_a_step_that_is_borne_anyhow_changes_nothing() -> None:
     page = WishPage(SCENE)
     page.wish("Stable step", 0.004)
@@ -342,6 +376,9 @@ def test_a_body_that_has_exploded_is_not_made_stable_in_the_pose_it_was_torn_int
     page.wish("Make it stable at this time step", math.nan)
     assert page.notices[-1].title == "It cannot be made stable"
     assert "has exploded" in page.notices[-1].text
+    # As it advises: what is to be mended is still there.
+    page.frames(1, commands.BackBeforeDivergence())
+    assert page.session.scene.linear_springs[0].stiffness == 1e9
 
 
 def test_what_has_nothing_to_do_with_it_is_not_offered() -> None:

@@ -112,3 +112,5 @@ def test_a_body_that_runs_away_is_stopped_explained_and_taken_back(open_page: Op
     positions = desk.simulation.positions
     desk.until(lambda: np.allclose(desk.masses(), positions, rtol=1e-5, atol=0.05), "that is shown")
     desk.until(lambda: not desk.notices() and back.count() == 0, "nothing is said any more")
+    read = desk.page.locator("[role=status]")
+    desk.until(lambda: "exploded" not in " ".join(read.all_text_contents()), "nor read out")

@@ -8,6 +8,7 @@ import { takeNotices } from "../../app/ui/gui/notices.js";
 takeNotices();
 const show = (title, seconds) =>
   receive({ type: "NotificationShowMessage", uuid: title, props: { title, body: "", color: "red", auto_close_seconds: seconds } });
+const said = () => document.querySelector(".softrod-tell").textContent;
 const shown = () => document.querySelectorAll(".softrod-notice-title").map((title) => title.textContent);
 
 test("a notice goes after its time, one with none only when its subject is over", () => {
@@ -18,8 +19,10 @@ test("a notice goes after its time, one with none only when its subject is over"
   pass(20);
   assert.deepEqual(shown(), ["B"]);
   pass(600e3);
+  assert.equal(said(), "B. ", "and is not taken away with another one");
   receive({ type: "RemoveNotificationMessage", uuid: "B" });
   assert.deepEqual(shown(), []);
+  assert.equal(said(), "", "nor is it read any more");
 });
 
 test("a notice stays while the focus is on it", () => {

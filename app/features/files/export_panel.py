@@ -25,6 +25,9 @@ from ...words.english import refusal
 SECONDS = (1, 20)
 """Of motion that a page can have in a file."""
 
+QUIET = 2.0
+"""Seconds after which a file that is not there yet is said to be prepared: others may be made first."""
+
 TEXT = '<div class="softrod-text">{}</div>'
 
 
@@ -76,9 +79,14 @@ class ExportPanel:
             return
         self._progress.value = 0.0
         self._progress.visible = True
-        file_worker.submit(lambda: self._work(wanted))
+        # In the language of the page.
+        slow = partial(self._tell, "info", say("files-slow"), say("files-slow.text"))
+        waiting = threading.Timer(QUIET, slow)
+        waiting.daemon = True
+        waiting.start()
+        file_worker.submit(lambda: self._work(wanted, waiting))
 
-    def _work(self, wanted: Format) -> None:
+    def _work(self, wanted: Format, waiting: threading.Timer) -> None:
         yield_gil, shown = YieldGil(), 0
 
         def report(part: float) -> None:
@@ -106,6 +114,7 @@ class ExportPanel:
             self._tell("error", say("files-failed"), say("files-failed.error"))
             raise
         finally:
+            waiting.cancel()
             self._progress.visible = False
             self._busy.release()
 

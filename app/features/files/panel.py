@@ -28,6 +28,7 @@ from ...ui.kept import keeping
 from ...ui.page import Page
 from ...ui.viser.handlers import on_press
 from ...words import quoted, say
+from ...words.english import of
 
 TEXT = '<div class="softrod-text">{}</div>'
 
@@ -66,7 +67,7 @@ class FilesPanel:
     def build(self) -> None:
         """Offer the scene's name; what its user typed stays, until the scene has another one."""
         name = self._session.scene.name
-        offered = UNNAMED if files.is_built_in(name) else name
+        offered = of(UNNAMED) if name == UNNAMED or files.is_built_in(name) else name
         if offered != self._offered:
             self._offered = self._name.value = offered
 

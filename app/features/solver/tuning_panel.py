@@ -14,7 +14,7 @@ from sim.analysis.decay import TENTH
 from sim.analysis.tuning import Numbers, Tuning
 from sim.compiling.compiler import for_balance, is_ready
 from sim.design.tune import as_far_as_stable, damp_springs, edit_of, is_limited, with_numbers
-from sim.design.wishes import Design, Factors
+from sim.design.wishes import Design, Factors, step_method
 from sim.edit.edit import Edit, Selection
 from sim.errors import InputError, SceneError
 from sim.model.system import build_system
@@ -28,7 +28,7 @@ from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_change
 from ...ui.viser.look import describe_control
 from ...ui.viser.slider_box import SliderBox, alike, allows, rounded
-from ...words import decimal, say
+from ...words import decimal, joined, say
 from .job import MAX_MASSES, Job, paragraph, sentence, worker
 
 APPLY_TIMEOUT = 1.0
@@ -36,6 +36,12 @@ APPLY_TIMEOUT = 1.0
 
 SLIDERS = ("frequency", "damping")
 """Targets that have a slider; all others have a box."""
+
+NEAR = 0.02
+"""Largest relative deviation of a body from a wish that was met before, at which it still is."""
+
+_SAME = {"damping": "calm_after", "calm_after": "damping"}
+"""Targets that are set by the same number of a body, so that each replaces the other."""
 
 
 class TuningAnalysis:
@@ -150,6 +156,52 @@ class _TargetBox:
         describe_control(self._mail, self._box, unit=unit, low=self._of.low, high=self._of.high)
 
 
+class Wished:
+    """What was wished of a body and met."""
+
+    def __init__(self) -> None:
+        self._wishes: dict[str, tuple[float, str]] = {}
+        self._last = ""
+        self._lost: list[str] = []
+
+    def discarded_by(self, key: str, value: float, label: str, scene: sim.Scene) -> list[str]:
+        """Add a wish that is met; return the labels of those before that no longer are.
+
+        They are told once, except that a slider which is dragged on tells them again.
+
+        Args:
+            key, value: of the new one.
+            label: of its step of undo.
+            scene: that came of it.
+        """
+        if key != self._last:
+            for lost in self._lost:
+                self._wishes.pop(lost, None)
+        self._last, self._lost = key, []
+        self._wishes.pop(_SAME.get(key, ""), None)
+        older = {of: wish for of, wish in self._wishes.items() if of != key}
+        self._wishes[key] = value, label
+        if older:
+            tuning = sim.tuning(scene)
+            self._lost = [of for of, (wish, _) in older.items() if not _is_met(of, wish, tuning, scene)]
+        return [older[lost][1] for lost in self._lost]
+
+
+def _is_met(key: str, wish: float, tuning: Tuning, scene: sim.Scene) -> bool:
+    """Whether a body is still as it was wished."""
+    if key == "dt":
+        return tuning.stable_steps.get(step_method(scene), math.inf) >= (1.0 - NEAR) * wish
+    if key == "sag":
+        found = tuning.sag
+    elif tuning.elastic is None:
+        found = None
+    elif key == "frequency":
+        found = tuning.elastic.frequency
+    else:
+        found = tuning.elastic.calm_after if key == "calm_after" else tuning.elastic.damping_ratio
+    return found is not None and math.isclose(found, wish, rel_tol=NEAR)
+
+
 class TuningPanel:
     """The controls.
 
@@ -207,6 +259,9 @@ class TuningPanel:
         self._targets: dict[str, float] = {}  # of these the last one of each waits
         self._lock = threading.Lock()  # guards the targets
         self._is_pending = False  # until all results are shown
+        self._works = False  # until the numbers that came of a wish or a button are found out
+        self._wished = Wished()
+        self._opening = -1  # the body that they are about
         self._conflict = ""
         self._conflict_scene: sim.Scene | None = None  # that the conflict is about; None until it is shown
         on_change(self._on, self._switch)
@@ -239,7 +294,8 @@ class TuningPanel:
             self._conflict_scene = scene
         if analysis is not None:
             analysis.look(scene)
-            content = paragraph(self._conflict, " softrod-lag") + _content(analysis, session)
+            self._works = busy or (self._works and analysis.busy)
+            content = paragraph(self._conflict, " softrod-lag") + _content(analysis, session, self._works)
         shown = analysis is not None and self._on.visible
         self._stable.visible, self._damp.visible = shown and is_limited(scene.integrator.method), shown
         self._table.content = content
@@ -306,8 +362,10 @@ class TuningPanel:
             self._conflict, self._conflict_scene = self._design(key, value), None
 
     def _design(self, key: str, value: float) -> str:
-        """Change the body so that it meets a target; return what prevents that, if anything does."""
+        """Change the body so that it meets a target; return what prevents that, or what that discards."""
         session = self._session
+        if self._opening != session.openings:
+            self._opening, self._wished = session.openings, Wished()
         try:
             scene = session.snapshot("tuning", False)
             if len(scene.masses) > MAX_MASSES or not is_compiled(scene):
@@ -329,7 +387,10 @@ class TuningPanel:
         # A drag of a slider is one step of undo; each number that is typed is one by itself.
         session.post(commands.Change(make, f"wish {key}" if key in SLIDERS else ""))
         applied.wait(APPLY_TIMEOUT)  # the next target starts from the result of this one
-        return sentence(design.conflict) if design.conflict else ""
+        if design.conflict:
+            return sentence(design.conflict)
+        lost = self._wished.discarded_by(key, value, label, design.scene)
+        return say("solver-lost", wishes=joined(lost)) if lost else ""
 
     def _start(self, trouble: str, work: Callable[[sim.Scene], None], with_pose: bool) -> None:
         """Change the scene in the thread, unless it is busy for this page."""
@@ -394,16 +455,18 @@ def _designed(scene: sim.Scene, key: str, value: float) -> tuple[Design, str] | 
     )
 
 
-def _content(analysis: TuningAnalysis, session: Session) -> str:
+def _content(analysis: TuningAnalysis, session: Session, works: bool) -> str:
+    busy = readouts.table({say("solver-tuning-row"): say("solver-tuning-row.busy")})
     scene, tuning = analysis.scene, analysis.tuning
     if analysis.trouble:
         return readouts.table({say("solver-tuning-row"): analysis.trouble})
     if scene is None or tuning is None:
-        return readouts.table({say("solver-tuning-row"): say("solver-tuning-row.busy")})
+        return busy
     springs = session.selection.springs
     chosen = next(iter(springs)) if len(springs) == 1 else None
     known = chosen is not None and chosen < len(tuning.springs.frequency)
-    return readouts.tuning_table(scene, tuning, chosen if known else None, analysis.sensitivities)
+    table = readouts.tuning_table(scene, tuning, chosen if known else None, analysis.sensitivities)
+    return busy + table if works else table
 
 
 def _target(

@@ -20,8 +20,11 @@ export function takeNotices() {
   const tell = addTeller();
   /** @type {Map<string, HTMLElement>} */
   const shown = new Map();
+  /** The notice that was said last. */
+  let told = "";
   /** @param {string} id */
   const remove = (id) => {
+    if (id === told && shown.has(id)) tell("");
     shown.get(id)?.remove();
     shown.delete(id);
   };
@@ -38,6 +41,7 @@ export function takeNotices() {
     list.style.setProperty("--softrod-above", `${innerHeight - Math.min(innerHeight, ...tops.map(({ top }) => top)) + GAP}px`);
     list.append(notice);
     tell(/[.?!؟]$/.test(title) ? `${title} ${body}` : `${title}. ${body}`);
+    told = id;
     shown.set(id, notice);
     for (const old of [...shown.keys()].slice(0, -MAX_SHOWN)) remove(old);
     if (seconds === null) return;

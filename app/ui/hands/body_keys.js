@@ -85,6 +85,7 @@ export function addBodyKeys() {
     if (before.scene !== undefined && now.scene !== before.scene) keys.forget();
     const news = [];
     if (before.page === now.page && before.scene !== now.scene && now.title !== before.title) tell(say("ui-opened", { title: now.title ?? "" }));
+    if (before.offer && !now.offer && live.textContent === say("ui-exploded")) live.textContent = "";
     if (now.offer && !before.offer) news.push(say("ui-exploded"));
     else if (before.page && Boolean(now.playing) !== Boolean(before.playing)) news.push(say(now.playing ? "ui-running" : "ui-running.paused"));
     if (before.scene === now.scene && now.broken !== before.broken) news.push(say("ui-broken", { count: now.broken ?? 0 }));

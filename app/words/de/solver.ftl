@@ -61,6 +61,7 @@ solver-compiling = der Löser wird noch kompiliert; versuche es gleich noch einm
 solver-is-stable = Der Körper ist stabil
     .text = Er ist bei { $step } stabil. Nichts wurde geändert.
     .target = Er ist bei { $step } schon stabil, also wurde nichts geändert.
+solver-lost = Nicht mehr wie gewünscht: { $wishes }.
 solver-not-critical = Noch nicht kritisch
     .text = Er ist so weit gedämpft, wie sein Zeitschritt von { $step } es verträgt. Das Rechenverfahren Auto verträgt mehr.
     .ratio = Er ist so weit gedämpft, wie sein Zeitschritt von { $step } es verträgt: ein Dämpfungsgrad von { $ratio } statt 1. Das Rechenverfahren Auto verträgt mehr.

@@ -71,6 +71,7 @@ solver-compiling = the solver is still being compiled; try again in a moment
 solver-is-stable = It is stable
     .text = It is stable at { $step }. Nothing was changed.
     .target = It is stable at { $step } as it is, so nothing was changed.
+solver-lost = No longer as wished: { $wishes }.
 solver-not-critical = Not critical yet
     .text = It is damped as far as its time step of { $step } bears. The integrator Auto bears more.
     .ratio = It is damped as far as its time step of { $step } bears: a damping ratio of { $ratio } instead of 1. The integrator Auto bears more.

@@ -195,7 +195,7 @@ news-touched = { $by ->
    *[body] El cuerpo toca otro cuerpo o a sí mismo.
 }
 news-rest = El cuerpo ha quedado en reposo.
-news-exploded = El cuerpo ha explotado y está detenido.
+news-exploded = El cuerpo ha explotado y se ha detenido.
 news-grabbed = La masa { $mass } está en la mano.
 news-dropped = Se ha soltado la masa { $mass }.
 news-running = En marcha.

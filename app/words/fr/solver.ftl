@@ -61,6 +61,7 @@ solver-compiling = le solveur est encore en cours de compilation ; réessaie d
 solver-is-stable = L’objet est stable
     .text = Il est stable à { $step }. Rien n’a été changé.
     .target = Il est déjà stable à { $step }, donc rien n’a été changé.
+solver-lost = N’est plus comme souhaité : { $wishes }.
 solver-not-critical = Pas encore critique
     .text = Il est amorti autant que son pas de temps de { $step } le supporte. L’intégrateur Auto en supporte davantage.
     .ratio = Il est amorti autant que son pas de temps de { $step } le supporte : un taux d’amortissement de { $ratio } au lieu de 1. L’intégrateur Auto en supporte davantage.

@@ -61,6 +61,7 @@ solver-compiling = çözücü hâlâ derleniyor; biraz sonra yeniden dene
 solver-is-stable = Cisim kararlı
     .text = Kararlı olduğu zaman adımı: { $step }. Hiçbir şey değiştirilmedi.
     .target = Zaten kararlı; zaman adımı: { $step }. Bu yüzden hiçbir şey değiştirilmedi.
+solver-lost = Artık istendiği gibi değil: { $wishes }.
 solver-not-critical = Henüz kritik değil
     .text = Zaman adımının ({ $step }) kaldırdığı kadar sönümlendi. “Otomatik” hesaplama yöntemi daha fazlasını kaldırır.
     .ratio = Zaman adımının ({ $step }) kaldırdığı kadar sönümlendi: sönüm oranı 1 yerine { $ratio }. “Otomatik” hesaplama yöntemi daha fazlasını kaldırır.
