@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import math
 import re
+import shlex
 from pathlib import Path
 
 import sim
@@ -44,7 +45,7 @@ def sheet_html(scene: sim.Scene) -> bytes:
     minutes = sum(MINUTES_ASKED if step.question or step.predict else MINUTES_TRIED for step in steps)
     parts = [_step(number, step, scene) for number, step in enumerate(steps)]
     title = html.escape(name_of(scene))
-    command = f"<code>softrod class {html.escape(scene.name)}</code>"
+    command = f"<code>softrod class {html.escape(shlex.quote(scene.name))}</code>"
     following = f"<i>{said('live-sheet-next')}</i>"
     needs = say("live-sheet-needs", minutes=minutes, command=command, next=following)
     body = f"""<header><h1>{title}</h1>

@@ -26,8 +26,8 @@ Floats = NDArray[np.float64]
 PULLED = 0.5
 """Pixels from its start beyond which a mass counts as pulled. Doubled or halved, no test fails."""
 
-OWN_LESSON = "my lesson"
-"""Name of a preset after its lesson is changed, until it gets another name."""
+OWN_LESSON = str.__str__(Text("my lesson"))
+"""Name of a preset after its lesson is changed, until it gets another name; see `.texts.UNNAMED`."""
 
 FIRST_TASK = "Let it run, and watch."
 """Task of a new step until another is written: a step always says what to do."""

@@ -14,9 +14,18 @@ from app.features.files.panel import FilesPanel
 from app.session.notices import Notice
 from app.session.session import Session
 from app.words import say, speaking
+from sim.edit.lesson import add_step
 from sim.edit.texts import UNNAMED
 from sim.store.files import safe_name
 from tests.app.panels import Client, page_of
+
+
+def offered(scene: sim.Scene, tag: str) -> str:
+    """The name under which a scene can be saved, on a page in a language."""
+    with speaking(tag):
+        client = Client()
+        FilesPanel(page_of(Session(scene), client))
+        return client.gui.there[0].value
 
 
 @pytest.mark.parametrize(
@@ -24,10 +33,12 @@ from tests.app.panels import Client, page_of
 )
 def test_a_scene_without_a_name_of_its_own_is_offered_one_in_the_page_s_language(tag: str, name: str) -> None:
     for scene in (sim.load_scene("jelly"), sim.rope(name=UNNAMED)):
-        with speaking(tag):
-            client = Client()
-            FilesPanel(page_of(Session(scene), client))
-            assert client.gui.there[0].value == name == safe_name(name)
+        assert offered(scene, tag) == name == safe_name(name)
+
+
+def test_a_lesson_made_of_a_preset_is_offered_a_name_in_the_page_s_language() -> None:
+    scene = add_step(sim.load_scene("jelly"), 0).scene
+    assert [offered(scene, tag) for tag in ("en", "de")] == ["my lesson", "Meine Lektion"]
 
 
 def test_a_file_that_waits_for_others_is_said_to_be_prepared(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -47,6 +47,13 @@ def test_what_a_scene_says_is_text_in_it() -> None:
     assert b"<img" not in made
 
 
+def test_its_command_begins_a_lesson_whose_name_has_spaces() -> None:
+    from msgspec.structs import replace
+
+    made = sheet_html(replace(sim.load_scene("lesson-hooke"), name="my lesson")).decode()
+    assert "<code>softrod class 'my lesson'</code>" in html.unescape(made)
+
+
 def test_a_scene_without_a_lesson_has_none() -> None:
     with pytest.raises(InputError, match="rope has no lesson"):
         sheet_html(sim.load_scene("rope"))

@@ -15,6 +15,7 @@ import viser
 
 import sim
 from sim.design.measurements import Measurement, parse_measurements
+from sim.edit.lesson import OWN_LESSON
 from sim.edit.texts import UNNAMED, renamed
 from sim.errors import InputError, SceneError
 from sim.store import files
@@ -67,7 +68,8 @@ class FilesPanel:
     def build(self) -> None:
         """Offer the scene's name; what its user typed stays, until the scene has another one."""
         name = self._session.scene.name
-        offered = of(UNNAMED) if name == UNNAMED or files.is_built_in(name) else name
+        given = UNNAMED if files.is_built_in(name) else name
+        offered = of(given) if given in (UNNAMED, OWN_LESSON) else given
         if offered != self._offered:
             self._offered = self._name.value = offered
 
