@@ -21,6 +21,7 @@ from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
 from .words import decimal, joined, say
 from .words.keys import Key
+from .words.quantities import quantity_of
 from .words.settings import label_of, label_of_choice, options_of
 
 MAX_TOLD = 3
@@ -43,7 +44,7 @@ _WORDS: dict[str, Key] = {
     "distance": "reading-distance",
     "dt_over_limit": "reading-time-step",
 }
-"""What quantities are called for pupils; all others as in files."""
+"""What quantities are called for pupils; all others as in the Measure tab."""
 
 
 def check_lesson(scene: sim.Scene) -> None:
@@ -131,14 +132,22 @@ def quantity_text(name: str) -> str:
     return reading_text(Reading(quantity=name))
 
 
+def plot_in_words(text: str) -> str:
+    """A plot in words, as in "x of mass 1, x of mass 3 over the time"."""
+    spec = parse_plot(text)
+    names = joined(map(quantity_text, spec.names))
+    return f"{names} {say('measure-over-one', over=quantity_text(spec.over))}" if spec.over else names
+
+
 def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     """A reading in words, as in "stretch of spring 0" or "period of mass 1"."""
     name = _NAME.fullmatch(reading.quantity)
     if name is None:
         period = reading.of == "period"
         return say("reading-period", what=reading.quantity) if period else reading.quantity
-    what = say(_WORDS[name[3]]) if name[3] in _WORDS else name[3].replace("_", " ")
-    owner = "body" if reading.quantity.startswith("body.") else name[1]
+    of = name[1] or reading.quantity.partition(".")[0]
+    what = say(_WORDS[name[3]]) if name[3] in _WORDS else quantity_of(of, name[3]).replace("_", " ")
+    owner = name[1] or ("body" if of == "body" else "")
     if not owner:
         return say("reading-period", what=what) if reading.of == "period" else what
     if reading.of == "period":

@@ -276,9 +276,9 @@ export type Arrows = { tell: "arrows"; numbers: Float32Array };
 /** The scene's lesson, which may be anyone's: the script shows it as text only. */
 export type Lesson = { tell: "lesson"; name: string; steps: LessonStep[] };
 /** The lesson that is being edited. */
-export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[]; runs: string[] };
+export type LessonForm = { tell: "lessonForm"; open: boolean; trying: number; steps: Step[]; begins: string[]; runs: string[]; plots: string[] };
 /** What the user can choose for a step at present. */
-export type LessonOffers = { tell: "lessonOffers"; parts: string[]; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
+export type LessonOffers = { tell: "lessonOffers"; parts: Record<string, string>; quantities: Record<string, Record<string, string>>; controls: LessonControl[]; methods: Record<string, string>; settings: string; plots: string[]; arrows: string[] };
 /** The result of a change of the lesson. */
 export type LessonTaken = { tell: "lessonTaken"; step: number; part: string; field: string; refused: string };
 /** The newest values of the plot that is heard while the body moves. */

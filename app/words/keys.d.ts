@@ -1216,6 +1216,7 @@ export type Words = {
   "making-shows": never;
   "making-plots": "plots";
   "making-plots.take": never;
+  "making-plots.replace": never;
   "making-plots.drop": never;
   "making-plots.none": never;
   "making-arrows": "arrows";

@@ -1218,6 +1218,7 @@ Key = Literal[
     "making-shows",
     "making-plots",
     "making-plots.take",
+    "making-plots.replace",
     "making-plots.drop",
     "making-plots.none",
     "making-arrows",

@@ -40,6 +40,9 @@ export const tied = (text) => text.replace(MEASURED, "$1\u00a0");
 /** A number with its unit, which keeps its direction in a text from right to left. @param {string} text */
 export const upright = (text) => (direction === "rtl" ? `\u2066${text}\u2069` : text);
 
+/** A text that somebody typed, which keeps its own direction in any other. @param {string} text */
+export const isolated = (text) => `\u2068${text}\u2069`;
+
 /** Some texts as a list, as in "a, b and c". @param {string[]} items */
 export const listed = (items) => new Intl.ListFormat(language === "en" ? "en-GB" : language).format(items);
 

@@ -155,7 +155,8 @@ def test_the_form_makes_a_lesson_that_has_everything() -> None:
     )  # fmt: skip
     told = form.letters.last(LessonForm)
     begins = ("Gravity 1500 px/s²", "Gravity 700 px/s²")
-    assert told == LessonForm(open=True, steps=form.steps, begins=begins, runs=("", ""))
+    plots = ("y of mass 3, y of mass 5; x of mass 3 over y of mass 3", "")
+    assert told == LessonForm(open=True, steps=form.steps, begins=begins, runs=("", ""), plots=plots)
     assert not form.taken.refused
     assert not form.notices
     check_lesson(form.scene)
@@ -307,7 +308,7 @@ def test_the_form_offers_the_formulas_that_are_plotted(monkeypatch: pytest.Monke
     plots = (f"mass0.x, {formula} over mass0.y", f"{formula}, mass99.x - mass0.x")
     monkeypatch.setitem(globals(), "MEASURED", MEASURED._replace(plots=plots))
     form = Form()
-    assert form.letters.last(LessonOffers).parts == ("joint0", "mass3", formula)
+    assert tuple(form.letters.last(LessonOffers).parts) == ("joint0", "mass3", formula)
     form.say(asks.AddStep(0))
     drafts = (formula, "mass0.x + mass0.vx")
     for draft in drafts:
@@ -318,11 +319,31 @@ def test_the_form_offers_the_formulas_that_are_plotted(monkeypatch: pytest.Monke
     assert "cannot be added: their units differ" in form.taken.refused
 
 
+def test_what_a_step_reads_and_plots_is_said_in_the_page_s_language() -> None:
+    form = made()
+    form.say(change(1, collect=asks.ReadingDraft("spring4.wrapped_direction", "value")))
+    with speaking("de"):
+        german = LessonMaker(page_of(form.page.session, None, form.letters), lambda: MEASURED)
+        german.do(asks.MakeLesson(True))
+        german.tell()
+    offers, told = form.letters.last(LessonOffers), form.letters.last(LessonForm)
+    assert offers.parts == {
+        "joint0": "Gelenk 0", "mass3": "Masse 3", "mass5": "Masse 5", "spring4": "Feder 4"
+    }  # fmt: skip
+    springs, masses = offers.quantities["spring"], offers.quantities["mass"]
+    assert springs["elongation"] == "Dehnung (px)"
+    assert springs["wrapped_direction"] == "Richtung von -180° bis 180° (°)"
+    assert masses["momentum_x"].startswith("Impuls x (")
+    assert told.plots[0] == "y von Masse 3, y von Masse 5; x von Masse 3 über y von Masse 3"
+    assert form.steps[0].plots == MEASURED.plots, "what is stored are the names"
+
+
 def test_the_form_offers_what_there_is_now() -> None:
     form = Form()
     offers = form.letters.last(LessonOffers)
-    assert offers.parts == ("joint0", "mass3"), "nobody can aim at a ghost"
-    assert (offers.quantities["mass"]["vy"], offers.quantities["stability"]["dt_over_limit"]) == ("px/s", "")
+    assert tuple(offers.parts) == ("joint0", "mass3"), "nobody can aim at a ghost"
+    assert offers.quantities["mass"]["vy"] == "vy (px/s)"
+    assert offers.quantities["stability"]["dt_over_limit"] == "dt over limit"
     assert (offers.plots, offers.arrows, offers.settings) == (MEASURED.plots, ("forces",), "")
     assert {"gravity", "method", "force_law"} <= {control.key for control in offers.controls}
     assert all(plot_text(parse_plot(text)) == text for text in MEASURED.plots)

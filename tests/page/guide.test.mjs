@@ -15,6 +15,8 @@ test("a question is what is so, then what is asked", () => {
   assert.deepEqual(partsOf("Gravity pulls it 0.5 px down. How far, if it is doubled?"), { given: "Gravity pulls it 0.5 px down.", asked: "How far, if it is doubled?" });
   assert.deepEqual(partsOf("Which way?"), { given: "", asked: "Which way?" });
   assert.deepEqual(partsOf(""), { given: "", asked: "" });
+  assert.deepEqual(partsOf("ضوعفت الجاذبية. أي منحنى هو؟"), { given: "ضوعفت الجاذبية.", asked: "أي منحنى هو؟" });
+  assert.deepEqual(sentencesOf("كم؟ ولماذا؟"), ["كم؟", "ولماذا؟"]);
   assert.deepEqual(sentencesOf("By 1.41 times. Or 2"), ["By 1.41 times.", "Or 2"]);
 });
 

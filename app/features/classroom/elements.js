@@ -90,7 +90,7 @@ export function typedLine(label, properties, button, take, focus = "") {
  */
 export function typedText(label, properties, button, take, focus) {
   const area = make("textarea", "");
-  Object.assign(area, { rows: 2, ...properties });
+  Object.assign(area, { rows: 2, dir: "auto", ...properties });
   area.addEventListener("keydown", (event) => {
     if (event.key !== "Enter" || event.isComposing) return;
     event.preventDefault();

@@ -10,13 +10,13 @@
 import { say } from "../../words/words.js";
 
 /** The sentences of a text. @param {string} text */
-export const sentencesOf = (text) => text.match(/[^.?!]+(?:[.?!](?!\s|$)[^.?!]*)*[.?!]*\s*/g)?.map((one) => one.trim()) ?? [];
+export const sentencesOf = (text) => text.match(/[^.?!؟]+(?:[.?!؟](?!\s|$)[^.?!؟]*)*[.?!؟]*\s*/g)?.map((one) => one.trim()) ?? [];
 
 /** What a question says is so, and what it asks: its last sentence, which the choices may complete. @param {string} question */
 export function partsOf(question) {
   const sentences = sentencesOf(question);
   const asked = sentences.at(-1) ?? "";
-  return { given: sentences.slice(0, -1).join(" "), asked: !asked || /[.?!]$/.test(asked) ? asked : `${asked} …` };
+  return { given: sentences.slice(0, -1).join(" "), asked: !asked || /[.?!؟]$/.test(asked) ? asked : `${asked} …` };
 }
 
 /**

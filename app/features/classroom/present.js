@@ -2,7 +2,7 @@
 /** The right-hand part of the teacher's page: the class as it is. Who is there, what their bodies do, and what they gave. */
 import { send } from "../../wire/channel.js";
 import { make, untranslated } from "../../ui/dialog.js";
-import { joined, say } from "../../words/words.js";
+import { isolated, joined, say } from "../../words/words.js";
 import { box, button, fold, icon, voteBars } from "./elements.js";
 import { OWN_BODY, PREDICTED } from "./phases.js";
 import { plot, power } from "./plot.js";
@@ -196,7 +196,7 @@ function alone(desk, seat) {
 
 /** An answer in words. @param {DeskAnswer} answer @param {string[]} choices of the question */
 function wordsOf({ kind, text, choice, late, doubt }, choices) {
-  const what = { vote: choices[choice] ?? "", prediction: text || say("desk-a-prediction"), line: text, work: text || say("desk-a-run") }[kind];
+  const what = { vote: choices[choice] ?? "", prediction: text || say("desk-a-prediction"), line: isolated(text), work: text || say("desk-a-run") }[kind];
   const said = late ? say("desk-late", { what }) : what;
   return doubt ? say("desk-doubt", { what: said, doubt }) : said;
 }

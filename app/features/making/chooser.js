@@ -37,15 +37,15 @@ export class Chooser {
   show(reading) {
     if (!this.offers) return;
     const { parts, quantities } = this.offers;
-    const first = parts.find((one) => one.startsWith("mass")) ?? parts[0] ?? "";
+    const names = Object.keys(parts);
+    const first = names.find((one) => one.startsWith("mass")) ?? names[0] ?? "";
     const [, part, what] = NAME.exec(reading?.quantity ?? `${first}.`) ?? ["", reading?.quantity ?? "", ""];
-    const known = parts.includes(part) || !part ? parts : [part, ...parts];
-    setOptions(this.part, known.map((one) => [one, one]), part);
-    const units = quantities[part.replace(/\d+$/, "")] ?? {};
-    const names = Object.keys(units);
-    const usual = part.startsWith("mass") ? "y" : (names[0] ?? "");
-    setOptions(this.what, names.map((one) => [one, `${one.replaceAll("_", " ")}${units[one] && ` (${units[one]})`}`]), names.includes(what) ? what : usual);
-    this.what.hidden = names.length === 0;
+    setOptions(this.part, Object.entries(part in parts || !part ? parts : { [part]: part, ...parts }), part);
+    const called = quantities[part.replace(/\d+$/, "")] ?? {};
+    const whats = Object.keys(called);
+    const usual = part.startsWith("mass") ? "y" : (whats[0] ?? "");
+    setOptions(this.what, Object.entries(called), whats.includes(what) ? what : usual);
+    this.what.hidden = whats.length === 0;
     if (reading) this.of.value = reading.of;
   }
 

@@ -19,7 +19,7 @@ const PHONE = "width=390,height=844";
 
 export class MakingForm {
   /** @type {LessonForm} */
-  lesson = { tell: "lessonForm", open: false, trying: -1, steps: [], begins: [], runs: [] };
+  lesson = { tell: "lessonForm", open: false, trying: -1, steps: [], begins: [], runs: [], plots: [] };
   /** @type {import("../../wire/wire.js").LessonOffers | null} */
   offers = null;
   /** The chosen step. */
@@ -111,7 +111,7 @@ export class MakingForm {
   }
 
   show() {
-    const { steps, begins, runs } = this.lesson;
+    const { steps, begins, runs, plots } = this.lesson;
     const titles = steps.map(({ title }) => title);
     const changed = JSON.stringify(titles) !== JSON.stringify(this.list.titles);
     if (this.expected !== null && (changed || this.expected === this.at)) [this.at, this.expected] = [this.expected, null];
@@ -123,7 +123,7 @@ export class MakingForm {
     this.add.classList.toggle("softrod-first", !some);
     this.add.disabled = steps.length >= MAX_STEPS;
     this.fields.element.hidden = this.foot.hidden = this.drop.hidden = !some || this.offers === null;
-    if (some && this.offers) this.fields.show(steps[this.at], this.at, begins[this.at] ?? "", runs[this.at] ?? "", this.offers);
+    if (some && this.offers) this.fields.show(steps[this.at], this.at, { begins: begins[this.at] ?? "", runs: runs[this.at] ?? "", plots: plots[this.at] ?? "" }, this.offers);
   }
 
   /** @param {LessonForm} lesson */

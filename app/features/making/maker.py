@@ -21,7 +21,7 @@ from sim.scene.lesson import Goal, Question, Reading
 from sim.settings import CHOICES, scene_of_step, settings_of
 from sim.solve.registry import METHODS
 
-from ...lessons import run_text
+from ...lessons import plot_in_words, run_text
 from ...session import commands
 from ...session.ghost import REFERENCE
 from ...session.notices import Notice
@@ -30,6 +30,7 @@ from ...session.versions import Versions
 from ...ui.page import Page
 from ...words import decimal, joined, say
 from ...words.english import of, step_of, written
+from ...words.quantities import part_called, quantity_of
 from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
 from .messages import LessonControl, LessonForm, LessonOffers, LessonTaken
@@ -101,6 +102,7 @@ class LessonMaker:
         self._steps = self._shown = ()  # of the scene, and with their texts as the page reads them
         self._begins: tuple[str, ...] = ()
         self._runs: tuple[str, ...] = ()
+        self._plots: tuple[str, ...] = ()
         self._due = 0.0
 
     def do(self, ask: asks.Prepare) -> None:
@@ -149,9 +151,17 @@ class LessonMaker:
             self._begins = tuple(describe_settings(scene, step.settings) for step in steps)
             self._shown = tuple(map(step_of, steps))
             self._runs = tuple(run_text(step.run, scene) if step.run else "" for step in steps)
+            self._plots = tuple(
+                joined(map(plot_in_words, step.plots or ()), "language-semicolon") for step in steps
+            )
         self._mail.send(
             LessonForm(
-                open=self._open, trying=self._trying, steps=self._shown, begins=self._begins, runs=self._runs
+                open=self._open,
+                trying=self._trying,
+                steps=self._shown,
+                begins=self._begins,
+                runs=self._runs,
+                plots=self._plots,
             )
         )
         if self._page.makes_lesson and self._session.now() >= self._due:
@@ -252,14 +262,19 @@ class LessonMaker:
         choices = [(key, label_of_choice(key)) for key, choice in CHOICES.items() if choice.applies(scene)]
         sliders = [(setting.key, label_of(setting)) for setting in settings_of(scene)]
         wanted = lesson.settings_to_set(scene, scene, self._session.opened)
+        readings = [one.quantity for step in self._steps for one in (step.goal, step.collect) if one]
+        parts = (
+            *filter(_is_part, measured.parts),
+            *(part for part, _, _ in (name.rpartition(".") for name in readings) if _is_part(part)),
+            *_formulas(measured.plots, scene),
+        )
         return LessonOffers(
-            parts=(
-                *(part for part in measured.parts if part.rstrip("0123456789") in PARTS),
-                *_formulas(measured.plots, scene),
-            ),
+            parts={part: part_called(part) for part in parts},
             quantities={
                 of: {
-                    kind.what: unit_in(kind.unit, scene.view.unit) for kind in KINDS.values() if kind.of == of
+                    kind.what: _with_unit(quantity_of(of, kind.what), unit_in(kind.unit, scene.view.unit))
+                    for kind in KINDS.values()
+                    if kind.of == of
                 }
                 for of in PARTS
             },
@@ -269,6 +284,16 @@ class LessonMaker:
             plots=measured.plots,
             arrows=self._arrows,
         )
+
+
+def _is_part(part: str) -> bool:
+    """Return whether a part of a body is measured, and no second body or formula."""
+    return part.rstrip("0123456789") in PARTS
+
+
+def _with_unit(what: str, unit: str) -> str:
+    what = what.replace("_", " ")
+    return f"{what} ({unit})" if unit else what
 
 
 def _formulas(plots: tuple[str, ...], scene: sim.Scene) -> list[str]:

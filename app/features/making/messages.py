@@ -131,7 +131,8 @@ class LessonForm(State, frozen=True, kw_only=True):
         open: whether the form is shown.
         trying: the step that is tried; -1 for none.
         steps: of the lesson. Their texts may be anyone's: the script shows them as plain text.
-        begins, runs: the settings of each step, and what its run changes and pulls, in words.
+        begins, runs, plots: the settings of each step, what its run changes and pulls, and its plots, in
+            words.
     """
 
     open: bool = False
@@ -139,6 +140,7 @@ class LessonForm(State, frozen=True, kw_only=True):
     steps: tuple[Step, ...] = ()
     begins: tuple[str, ...] = ()
     runs: tuple[str, ...] = ()
+    plots: tuple[str, ...] = ()
 
 
 class LessonControl(Struct, frozen=True):
@@ -152,16 +154,16 @@ class LessonOffers(State, frozen=True, kw_only=True):
     """What the user can choose for a step at present.
 
     Attributes:
-        parts: measurable parts: those at the mass that was clicked last, and those that exist once; and the
-            formulas in the open plots.
-        quantities: units of the quantities of each kind of part.
+        parts: what measurable parts are called: those at the mass that was clicked last, those that exist
+            once, and those that the lesson reads; and the formulas in the open plots.
+        quantities: what the quantities of each kind of part are called, with their units.
         controls: those that apply to the scene.
         methods: labels of the methods of a second body.
         settings: the settings that `TakeInStep` would store, in words.
         plots, arrows: open plots, and kinds of arrows that are on.
     """
 
-    parts: tuple[str, ...]
+    parts: dict[str, str]
     quantities: dict[str, dict[str, str]]
     controls: tuple[LessonControl, ...]
     methods: dict[str, str]

@@ -5,7 +5,7 @@
  */
 import { send } from "../../wire/channel.js";
 import { make, makeButton } from "../../ui/dialog.js";
-import { readNumber } from "../../ui/gui/numbers.js";
+import { plainText, readNumber } from "../../ui/gui/numbers.js";
 import { Chooser } from "./chooser.js";
 import { box, labelled, makeArea, makeCheck, makeInput, makeSelect, refusal, setOptions } from "./fields.js";
 import { QuestionForm } from "./question_form.js";
@@ -215,6 +215,7 @@ export class StepForm {
       const line = lines.find(({ dataset }) => dataset.field === name);
       if (!line) continue;
       line.textContent = sentence;
+      line.scrollIntoView({ block: "nearest" });
       return;
     }
   }
@@ -235,9 +236,10 @@ export class StepForm {
   /**
    * Shows a step. Input that waits to be sent stays.
    *
-   * @param {Step} step @param {number} number @param {string} begins @param {string} runs @param {LessonOffers} offers
+   * @param {Step} step @param {number} number @param {{begins: string, runs: string, plots: string}} words what of it is told in words
+   * @param {LessonOffers} offers
    */
-  show(step, number, begins, runs, offers) {
+  show(step, number, { begins, runs, plots }, offers) {
     if (number !== this.number) {
       this.number = number;
       this.known.clear();
@@ -254,11 +256,12 @@ export class StepForm {
     this.dropRun.hidden = !step.run;
     const [lead] = step.run?.leads ?? [];
     if (lead && this.isNew("leads", lead)) {
-      for (const [{ input }, value] of /** @type {const} */ ([[this.led, lead.mass], [this.radius, lead.circle.radius], [this.turns, lead.circle.frequency ?? 1]])) input.value = String(value);
+      for (const [{ input }, value] of /** @type {const} */ ([[this.led, lead.mass], [this.radius, lead.circle.radius], [this.turns, lead.circle.frequency ?? 1]])) input.value = plainText(value);
     }
     this.showControls(step.controls, offers);
-    this.plots.textContent = step.plots?.length ? say("making-plots", { plots: joined(step.plots, "language-semicolon") }) : say("making-plots.none");
-    this.takePlots.disabled = offers.plots.length === 0;
+    this.plots.textContent = plots ? say("making-plots", { plots }) : say("making-plots.none");
+    this.takePlots.textContent = say(plots ? "making-plots.replace" : "making-plots.take");
+    this.takePlots.disabled = offers.plots.length === 0 || JSON.stringify(offers.plots) === JSON.stringify(step.plots);
     this.dropPlots.hidden = !step.plots?.length;
     const { arrows } = step;
     this.arrows.textContent = arrowsText(arrows);
@@ -270,7 +273,7 @@ export class StepForm {
   /** @param {Field} field @param {string} part @param {string | number | null | undefined} value */
   put(field, part, value) {
     if (!this.isNew(part, value) || this.waiting.has(field)) return;
-    const text = String(value ?? "");
+    const text = typeof value === "number" ? plainText(value) : (value ?? "");
     if (field.value !== text) field.value = text;
     this.refuse(part, "", "");
   }

@@ -175,6 +175,7 @@ function content(wall) {
   }
   for (const { text, color } of found.length || phase === "reveal" ? [] : lines) {
     const quoted = make("blockquote", "", text);
+    quoted.dir = "auto";
     quoted.style.setProperty("--softrod-seat", color);
     parts.push(quoted);
   }

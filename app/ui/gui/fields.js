@@ -330,9 +330,12 @@ class Html extends Control {
   /** @param {boolean} valued */
   show(valued) {
     const { content = "" } = this.props;
+    const wasShown = content === this.content && !this.element.hidden;
     if (content !== this.content) this.element.innerHTML = this.content = content;
     super.show(valued);
     this.element.hidden ||= content === "";
+    // Why something was refused stands below its field, where the panel may end.
+    if (!wasShown && !this.element.hidden) this.element.querySelector(".softrod-refused")?.scrollIntoView({ block: "nearest" });
   }
 }
 

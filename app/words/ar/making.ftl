@@ -52,6 +52,7 @@ making-controls = ما يحصل عليه التلاميذ: { $controls }
 making-shows = يعرض
 making-plots = الرسوم البيانية: { $plots }.
     .take = الرسوم البيانية كما هي مفتوحة الآن
+    .replace = استبدالها بالرسوم البيانية المفتوحة الآن
     .drop = بلا رسوم بيانية
     .none = لا رسوم بيانية.
 making-arrows = الأسهم: { $arrows }.

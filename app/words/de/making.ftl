@@ -52,6 +52,7 @@ making-controls = Die Klasse bekommt: { $controls }
 making-shows = Zeigt
 making-plots = Diagramme: { $plots }.
     .take = Diagramme, wie sie jetzt offen sind
+    .replace = Durch die jetzt offenen Diagramme ersetzen
     .drop = Keine Diagramme
     .none = Keine Diagramme.
 making-arrows = Pfeile: { $arrows }.

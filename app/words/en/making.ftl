@@ -60,6 +60,7 @@ making-controls = Pupils get: { $controls }
 making-shows = Shows
 making-plots = Plots: { $plots }.
     .take = Plots as they are open now
+    .replace = Replace them by the plots that are open now
     .drop = No plots
     .none = No plots.
 making-arrows = Arrows: { $arrows }.

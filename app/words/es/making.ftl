@@ -52,6 +52,7 @@ making-controls = La clase recibe: { $controls }
 making-shows = Muestra
 making-plots = Gráficas: { $plots }.
     .take = Gráficas como están abiertas ahora
+    .replace = Sustituirlas por las gráficas abiertas ahora
     .drop = Sin gráficas
     .none = Sin gráficas.
 making-arrows = Flechas: { $arrows }.

@@ -52,6 +52,7 @@ making-controls = Les élèves ont : { $controls }
 making-shows = Affiche
 making-plots = Graphiques : { $plots }.
     .take = Les graphiques ouverts maintenant
+    .replace = Les remplacer par les graphiques ouverts maintenant
     .drop = Pas de graphiques
     .none = Pas de graphiques.
 making-arrows = Flèches : { $arrows }.

@@ -52,6 +52,7 @@ making-controls = Öğrencilere verilen: { $controls }
 making-shows = Gösterilenler
 making-plots = Grafikler: { $plots }.
     .take = Şimdi açık olan grafikler
+    .replace = Bunların yerine şimdi açık olan grafikleri koy
     .drop = Grafik olmasın
     .none = Grafik yok.
 making-arrows = Oklar: { $arrows }.

@@ -5,6 +5,7 @@
  * @typedef {import("./settings.js").Setting} Setting
  */
 import { make, untranslated } from "../../../ui/dialog.js";
+import { upright } from "../../../words/words.js";
 import { said } from "./readings.js";
 
 /** Positions of a slider. */
@@ -46,7 +47,7 @@ function slider(setting, change) {
   shown.ariaLive = "off"; // the slider says it
   const unit = setting.unit && setting.unit !== "°" ? ` ${setting.unit}` : setting.unit;
   const show = (/** @type {number} */ value) => {
-    shown.textContent = said(value) + unit;
+    shown.textContent = upright(said(value) + unit);
     input.setAttribute("aria-valuetext", shown.textContent);
   };
   const first = Number(setting.value);
