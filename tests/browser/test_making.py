@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 
 from app.session.plots import PlotSpec
 from sim.scene.lesson import Goal, Question, Step
@@ -11,6 +11,9 @@ from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk
 
 EVIL = "<img src=x onerror='window.evil = 1'>"
+
+TO_THE_END = "field => field.scrollIntoView({ block: 'end' })"
+"""Scrolls what is below a field out of sight."""
 
 
 def form_of(desk: Desk) -> Locator:
@@ -77,11 +80,13 @@ def test_a_step_is_written_ordered_tried_and_seen_as_pupils_see_it(open_page: Op
 
 
 def test_a_formula_is_plotted_and_then_a_goal(open_page: OpenPage) -> None:
-    desk = open_page("rope", size=(1280, 720))
+    desk = open_page("rope", size=(1280, 480))
     desk.show("Measure")
     formula, said = "mass1.y - mass0.y", desk.page.locator(".softrod-panel .softrod-refused")
+    desk.control("Formula").evaluate(TO_THE_END)
     desk.control("Formula").fill("mass1.y - mass0.vy")
     desk.until(lambda: "cannot be subtracted: their units differ." in said.inner_text(), "it says why not")
+    expect(said).to_be_in_viewport(ratio=0.9)
     desk.control("Formula").fill(formula)
     desk.until(lambda: not said.is_visible(), "it is one")
     desk.button("New plot").click()
@@ -96,6 +101,30 @@ def test_a_formula_is_plotted_and_then_a_goal(open_page: OpenPage) -> None:
     goal = Goal(quantity="mass1.y", low=300.0)
     desk.until(lambda: steps(desk)[0].goal == goal, "and a quantity again")
     assert not sentences(desk)
+
+
+def test_a_german_form_shows_german_numbers_and_names_and_what_it_refuses(open_page: OpenPage) -> None:
+    desk = open_page("rope", size=(1280, 560), path="/?lang=de")
+    desk.show("Teilen")
+    desk.button("Lektion erstellen").click()
+    form = desk.page.locator(".softrod-making")
+    form.get_by_role("button", name="Ersten Schritt hinzufügen").click()
+    form.get_by_label("Ein Ziel, das zu erreichen ist").check()
+    part = form.get_by_label("Ziel: Teil")
+    part.select_option(label="Körper")
+    assert part.input_value() == "body"
+    low, high = form.get_by_label("von", exact=True), form.get_by_label("bis", exact=True)
+    low.fill("3100.5")
+    low.press("Tab")
+    desk.until(lambda: low.input_value() == "3100,5", "it is shown with a comma")
+    assert steps(desk)[0].goal == Goal(quantity="body.y", low=3100.5)
+    # Next to its field, and not below what can be seen.
+    high.evaluate(TO_THE_END)
+    high.fill("1")
+    high.press("Enter")
+    refused = form.locator("[data-field=goal].softrod-refused")
+    expect(refused).to_contain_text("3100,5")
+    expect(refused).to_be_in_viewport(ratio=0.9)
 
 
 def write_a_step(desk: Desk) -> None:
