@@ -19,7 +19,7 @@ from sim.text import Text
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
-from .words import decimal, joined, say
+from .words import decimal, joined, say, upright
 from .words.keys import Key
 from .words.quantities import quantity_of
 from .words.settings import label_of, label_of_choice, options_of
@@ -190,9 +190,8 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
         except sim.SettingError:
             said.append(assignment)
         else:
-            said.append(
-                f"{label_of(setting)} {decimal(value)} {setting.unit.replace('px', scene.view.unit)}".rstrip()
-            )
+            unit = setting.unit.replace("px", scene.view.unit)
+            said.append(f"{label_of(setting)} {upright(f'{decimal(value)} {unit}'.rstrip())}")
     few = run.pulls if len(run.pulls) <= MAX_TOLD else ()
     if len(run.pulls) > len(few):
         said.append(say("run-many", count=len(run.pulls)))

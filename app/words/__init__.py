@@ -38,12 +38,13 @@ from .spoken import (
     pseudo,
     quoted,
     speaking,
+    upright,
 )  # fmt: skip
 
 __all__ = [
     "ENGLISH", "PSEUDO", "bundle_of", "choose", "decimal", "direction", "element", "entries", "find",
     "joined", "language", "languages", "listed", "localized", "messages", "number", "of", "of_script",
-    "pseudo", "quoted", "say", "speaking", "way_of",
+    "pseudo", "quoted", "say", "speaking", "upright", "way_of",
 ]  # fmt: skip
 
 _KEY = re.compile(r'["\']([a-z][a-z0-9]*(?:-[a-z0-9]+)+)(?:\.[a-z]+)?["\']')

@@ -124,6 +124,11 @@ def decimal(text: str) -> str:
     return text if point == "." else text.translate({ord(","): "\u202f", ord("."): point})
 
 
+def upright(text: str) -> str:
+    """A number with its unit, which keeps its direction in a text from right to left."""
+    return f"\u2066{text}\u2069" if direction() == "rtl" else text
+
+
 def listed(items: Sequence[str]) -> str:
     """Some texts as a list, as in "a, b and c"."""
     tag = _now.get()

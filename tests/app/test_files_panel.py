@@ -25,7 +25,7 @@ def offered(scene: sim.Scene, tag: str) -> str:
     with speaking(tag):
         client = Client()
         FilesPanel(page_of(Session(scene), client))
-        return client.gui.there[0].value
+        return str(client.gui.there[0].value)
 
 
 @pytest.mark.parametrize(

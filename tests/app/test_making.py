@@ -13,7 +13,7 @@ from app.classroom.live import Classes
 from app.features.making import messages as asks
 from app.features.making.maker import LessonMaker, Measured, describe_settings
 from app.features.making.messages import LessonForm, LessonOffers, LessonTaken
-from app.lessons import check_lesson
+from app.lessons import check_lesson, run_text
 from app.session import commands
 from app.session.notices import Notice
 from app.session.plots import parse_plot, plot_text
@@ -336,6 +336,15 @@ def test_what_a_step_reads_and_plots_is_said_in_the_page_s_language() -> None:
     assert masses["momentum_x"].startswith("Impuls x (")
     assert told.plots[0] == "y von Masse 3, y von Masse 5; x von Masse 3 über y von Masse 3"
     assert form.steps[0].plots == MEASURED.plots, "what is stored are the names"
+
+
+def test_a_number_stands_before_its_unit_in_arabic() -> None:
+    scene = sim.load_scene("lesson-hooke")
+    assert scene.lesson is not None
+    run = next(step.run for step in scene.lesson.steps if step.run and step.run.settings)
+    with speaking("ar"):
+        for said in (describe_settings(scene, ("gravity=2000",)), run_text(run, scene)):
+            assert "\u20662000 px/s²\u2069" in said
 
 
 def test_the_form_offers_what_there_is_now() -> None:

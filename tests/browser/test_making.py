@@ -148,6 +148,8 @@ def write_a_step(desk: Desk) -> None:
     desk.until(lambda: steps(desk)[0].question == question and not sentences(desk), "it asks")
     press(desk, "Plots as they are open now")
     desk.until(lambda: steps(desk)[0].plots == ("joint0.angle",), "it has the plot")
+    replace = form_of(desk).get_by_role("button", name="Replace them by the plots that are open now")
+    expect(replace).to_be_disabled()  # they are the same
     form_of(desk).locator("summary").click()
     field(desk, "Gravity").check()
     desk.until(lambda: steps(desk)[0].controls == ("gravity",), "pupils get a slider")

@@ -28,7 +28,7 @@ from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
-from ...words import decimal, joined, say
+from ...words import decimal, joined, say, upright
 from ...words.english import of, step_of, written
 from ...words.quantities import part_called, quantity_of
 from ...words.settings import label_of, label_of_choice, options_of
@@ -318,7 +318,8 @@ def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:
             words.append(f"{label_of_choice(key)}: {options_of(key).get(value, value)}")
         elif key in known and math.isfinite(number := _number(value)):
             unit = known[key].unit.replace("px", scene.view.unit)
-            words.append(f"{label_of(known[key])} {decimal(f'{number:.6g}')} {unit}".rstrip())
+            said = f"{decimal(f'{number:.6g}')} {unit}".rstrip()
+            words.append(f"{label_of(known[key])} {upright(said)}")
         else:
             words.append(f"{key} {value}")
     return joined(words)
