@@ -21,6 +21,7 @@ from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
 from .words import decimal, joined, say
 from .words.keys import Key
+from .words.quantities import quantity_of
 from .words.settings import label_of, label_of_choice, options_of
 
 MAX_TOLD = 3
@@ -137,7 +138,8 @@ def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     if name is None:
         period = reading.of == "period"
         return say("reading-period", what=reading.quantity) if period else reading.quantity
-    what = say(_WORDS[name[3]]) if name[3] in _WORDS else name[3].replace("_", " ")
+    of = reading.quantity.partition(".")[0].rstrip("0123456789")
+    what = say(_WORDS[name[3]]) if name[3] in _WORDS else quantity_of(of, name[3]).replace("_", " ")
     owner = "body" if reading.quantity.startswith("body.") else name[1]
     if not owner:
         return say("reading-period", what=what) if reading.of == "period" else what

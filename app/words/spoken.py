@@ -124,6 +124,11 @@ def decimal(text: str) -> str:
     return text if point == "." else text.translate({ord(","): "\u202f", ord("."): point})
 
 
+def has_decimal_comma() -> bool:
+    """Whether the language that is spoken now writes a comma before decimals."""
+    return get_decimal_symbol(_locale(_now.get())) == ","
+
+
 def listed(items: Sequence[str]) -> str:
     """Some texts as a list, as in "a, b and c"."""
     tag = _now.get()

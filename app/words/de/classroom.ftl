@@ -486,6 +486,8 @@ zip-readme =
     logs/            die abgegebenen Läufe; `softrod run --inputs DATEI` lässt einen noch einmal laufen
     pictures/        wie die Körper waren, als sie abgegeben wurden
 
+    Die Tabellen haben Dezimalkommas und zwischen den Spalten Semikolons.
+
     { $names } Wenn die Stunde beendet ist, bleibt davon nichts auf dem Rechner, auf dem sie lief.
 zip-typed-names = Manche Plätze haben Namen, die von der Klasse eingegeben wurden.
 zip-given-names = Die Plätze haben die Namen, die ihnen zugeteilt wurden.
