@@ -145,9 +145,9 @@ def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
     if name is None:
         period = reading.of == "period"
         return say("reading-period", what=reading.quantity) if period else reading.quantity
-    of = name[1] or reading.quantity.partition(".")[0]
+    of = reading.quantity.partition(".")[0].rstrip("0123456789")
     what = say(_WORDS[name[3]]) if name[3] in _WORDS else quantity_of(of, name[3]).replace("_", " ")
-    owner = name[1] or ("body" if of == "body" else "")
+    owner = "body" if reading.quantity.startswith("body.") else name[1]
     if not owner:
         return say("reading-period", what=what) if reading.of == "period" else what
     if reading.of == "period":

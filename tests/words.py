@@ -30,7 +30,7 @@ from tests.page.generate import places
 
 _TAG = re.compile(r"<[a-z/][^>]*>")
 _PLACE = re.compile(r"\{[^{}]*\}")
-_SIM = Path(__file__).parents[1] / "sim"
+SIM_SOURCES = Path(__file__).parents[1] / "sim"
 
 
 def texts(tag: str) -> dict[str, ast.Pattern]:
@@ -177,14 +177,14 @@ def wrong(tag: str) -> Iterator[str]:
 
 def sim_texts() -> Iterator[tuple[str, python.Call]]:
     """Yield the file and the call of every text that `sim` makes, in the order of its sources."""
-    for path in sorted(_SIM.rglob("*.py")):
+    for path in sorted(SIM_SOURCES.rglob("*.py")):
         calls = [
             node
             for node in python.walk(python.parse(path.read_text(encoding="utf-8")))
             if isinstance(node, python.Call) and isinstance(node.func, python.Name) and node.func.id == "Text"
         ]
         for call in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
-            yield path.relative_to(_SIM.parent).as_posix(), call
+            yield path.relative_to(SIM_SOURCES.parent).as_posix(), call
 
 
 @cache

@@ -11,6 +11,7 @@ from sim.scene.lesson import Reading
 from sim.settings import CHOICES, setting_of
 
 from ..lessons import reading_text, reading_unit
+from ..words.settings import label_of
 from .room import Room
 
 
@@ -54,14 +55,14 @@ def axes_of(room: Room, stop: int) -> Axes:
 
 
 def _abscissa(scene: sim.Scene, key: str) -> tuple[str, str]:
-    """Label and unit of what a slider sets."""
+    """Label and unit of what a slider sets, as the slider has them."""
     if not key:
         return "", ""
     try:
         setting = setting_of(scene, key)
     except SettingError:
         return key, ""
-    return setting.label.lower(), setting.unit.replace("px", scene.view.unit)
+    return label_of(setting), setting.unit.replace("px", scene.view.unit)
 
 
 def _grows_downwards(collect: Reading, scene: sim.Scene) -> bool:

@@ -102,6 +102,11 @@ class PupilStatus:
     places: tuple[tuple[int, int], ...] = ()
     begun: bool = False
 
+    @property
+    def is_untouched(self) -> bool:
+        """Whether nothing has happened to it."""
+        return not self.begun and self.word != "exploded"
+
 
 @dataclass(frozen=True)
 class DeviceCheck:

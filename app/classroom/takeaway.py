@@ -20,6 +20,7 @@ from ..export.picture import png
 from ..stage.plan import Picture
 from ..words import say
 from ..words.keys import Key
+from ..words.spoken import has_decimal_comma
 from .answers import Answer, Prediction, Work, doubt_text
 from .axes import axes_of
 from .kept import LOGS, log_path
@@ -44,25 +45,24 @@ FOUND: tuple[Key, ...] = (
 """The columns of `found.csv`."""
 
 PREDICTIONS: tuple[Key, ...] = (
-    "zip-step", "zip-asked", "zip-seat", "zip-name", "zip-pupil", "zip-mass", "zip-x", "zip-y",
+    "zip-step", "zip-asked", "zip-seat", "zip-name", "zip-pupil", "zip-mass", "zip-x", "zip-y", "zip-late",
 )  # fmt: skip
 """The columns of `predictions.csv`."""
 
 
-def pack(room: Room, logs: Mapping[str, bytes] | None = None, decimal_comma: bool = False) -> bytes:
-    """Make the zip; its pictures take about 30 ms each.
+def pack(room: Room, logs: Mapping[str, bytes] | None = None) -> bytes:
+    """Make the zip, in the language that is spoken now; its pictures take about 30 ms each.
 
     Args:
         room: of the class, which may be running.
         logs: of the runs that are not on the disk yet, by their names.
-        decimal_comma: whether tables are for spreadsheets that write numbers with commas.
     """
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as file:
         file.writestr("README.txt", _readme(room))
-        file.writestr("answers.csv", _table(_answers(room), decimal_comma))
-        file.writestr("found.csv", _table(_found(room), decimal_comma))
-        file.writestr("predictions.csv", _table(_predictions(room), decimal_comma))
+        file.writestr("answers.csv", _table(_answers(room)))
+        file.writestr("found.csv", _table(_found(room)))
+        file.writestr("predictions.csv", _table(_predictions(room)))
         for i, scene in enumerate(room.scenes, start=1):
             file.writestr(f"scenes/{i:02}-{_slug(scene.name)}.json", encode_scene(scene))
         for answer in _in_order(room):
@@ -140,7 +140,8 @@ def _predictions(room: Room) -> Iterable[Sequence[str | float]]:
     for a in _in_order(room):
         if isinstance(a.content, Prediction):
             for mass, (x, y) in enumerate(a.content.points):
-                yield a.stop + 1, a.round + 1, a.seat, room.seats[a.seat].name, a.twin + 1, mass, x, y
+                whose = a.stop + 1, a.round + 1, a.seat, room.seats[a.seat].name, a.twin + 1
+                yield *whose, mass, x, y, _yes(a.late)
 
 
 def _slug(text: str) -> str:
@@ -152,9 +153,12 @@ def _yes(on: bool) -> str:
     return say("zip-yes") if on else say("zip-no")
 
 
-def _table(rows: Iterable[Sequence[str | float]], decimal_comma: bool) -> str:
-    """CSV in UTF-8 with the mark by which spreadsheets know that; a number that is not finite is left out."""
-    return "\ufeff" + csv_text((map(_finite, row) for row in rows), decimal_comma, "{:.6g}".format)
+def _table(rows: Iterable[Sequence[str | float]]) -> str:
+    """CSV as spreadsheets of the language read it, in UTF-8 with the mark by which they know that.
+
+    A number that is not finite is left out.
+    """
+    return "\ufeff" + csv_text((map(_finite, row) for row in rows), has_decimal_comma(), "{:.6g}".format)
 
 
 def _finite(cell: str | float) -> str | float | None:

@@ -637,6 +637,7 @@ export type Words = {
   "describe-part-yielded": never;
   "describe-part-muscle": "percent";
   "describe-part-joint": "joint" | "mass" | "one" | "other";
+  "describe-part-corner": "corner";
   "describe-part-angle": "angle" | "rest";
   "describe-part-torque": "torque";
   "describe-part-bends": "degrees";

@@ -639,6 +639,7 @@ Key = Literal[
     "describe-part-yielded",
     "describe-part-muscle",
     "describe-part-joint",
+    "describe-part-corner",
     "describe-part-angle",
     "describe-part-torque",
     "describe-part-bends",

@@ -129,6 +129,11 @@ def upright(text: str) -> str:
     return f"\u2066{text}\u2069" if direction() == "rtl" else text
 
 
+def has_decimal_comma() -> bool:
+    """Whether the language that is spoken now writes a comma before decimals."""
+    return get_decimal_symbol(_locale(_now.get())) == ","
+
+
 def listed(items: Sequence[str]) -> str:
     """Some texts as a list, as in "a, b and c"."""
     tag = _now.get()

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..engine.tables import Floats
 from ..motion.quantities import Moving, quantity
 from ..scene.parts import JointMuscle, Motor, SpringMuscle
 from ..scene.types import Scene
@@ -86,6 +87,7 @@ class JointFound:
         number: in the scene.
         springs: those that it keeps at an angle.
         mass: where these meet.
+        corner: between the directions in which they leave the mass, degrees, 0 to 180.
         angle, rest_angle: degrees; the angle is in (-180, 180].
         torque: kg px²/s², on its first spring; positive where the angle is larger than the rest angle.
         unit: of the torque, which with metres is N m.
@@ -96,6 +98,7 @@ class JointFound:
     number: int
     springs: tuple[int, int]
     mass: int
+    corner: float
     angle: float
     rest_angle: float
     torque: float
@@ -170,10 +173,15 @@ def describe_joint(simulation: Moving, scene: Scene, number: int) -> JointFound:
     torque, unit = _read(simulation, scene, f"joint{number}.torque")
     system, state = simulation.tables
     row = int(system.joint_order[number])
+    mass = ({one.a, one.b} & {other.a, other.b}).pop()
+    ends = (spring.b if spring.a == mass else spring.a for spring in (one, other))
+    at, first, second = (_place(simulation, scene, each) for each in (mass, *ends))
+    (x0, y0), (x1, y1) = first - at, second - at
     return JointFound(
         number=number,
         springs=(joint.a, joint.b),
-        mass=({one.a, one.b} & {other.a, other.b}).pop(),
+        mass=mass,
+        corner=math.degrees(abs(math.atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1))),
         angle=_read(simulation, scene, f"joint{number}.wrapped_angle")[0],
         rest_angle=_read(simulation, scene, f"joint{number}.rest_angle")[0],
         torque=torque,
@@ -183,6 +191,10 @@ def describe_joint(simulation: Moving, scene: Scene, number: int) -> JointFound:
         muscle=joint.muscle or None,
         motor=joint.motor or None,
     )
+
+
+def _place(simulation: Moving, scene: Scene, mass: int) -> Floats:
+    return np.array([_read(simulation, scene, f"mass{mass}.{axis}")[0] for axis in "xy"])
 
 
 def _read(simulation: Moving, scene: Scene, name: str) -> tuple[float, str]:

@@ -12,10 +12,11 @@ import pytest
 import sim
 from app.classroom.answers import Doubt, Line, Phase, Vote, Work
 from app.classroom.live import Class, Classes
+from app.features.classroom import messages
 from app.features.classroom.messages import Desk, Seat, Taken
 from app.words import speaking
 from sim.errors import SettingError
-from tests.app.classrooms import Pupil, Teacher, a_vote
+from tests.app.classrooms import Pupil, Teacher, Wall, a_vote
 from tests.app.inside import fail_to_save
 from tests.app.test_room import a_room, an_answer
 
@@ -72,6 +73,17 @@ def test_a_doubt_is_said_in_the_language_of_each_desk(classroom: Class) -> None:
     assert german == "die Aufzeichnung stellt gravity ein, wofür dieser Schritt keinen Regler hat."
 
 
+def test_the_axes_of_the_plot_are_said_in_the_language_of_each_page(class_folder: Path) -> None:
+    classroom = Classes().begin((sim.load_scene("lesson-hooke"),))
+    classroom.room.go(0, Phase.COLLECT)
+    english = Wall(classroom).shown(messages.Wall).axes
+    with speaking("de"):
+        german = Wall(classroom).shown(messages.Wall).axes, Teacher(classroom).shown(Desk).axes
+    assert (english.over, english.what) == ("Gravity", "stretch of spring 0")
+    assert {(axes.over, axes.what) for axes in german} == {("Fallbeschleunigung", "Dehnung von Feder 0")}
+    assert (german[0].over_unit, german[0].unit) == ("px/s²", "px")
+
+
 def test_what_happens_to_the_class_is_said_in_the_language_of_the_desk(classroom: Class) -> None:
     """Whichever page had the class look for it."""
     fail_to_save(classroom, OSError(28, "No space left on device"))
@@ -92,7 +104,7 @@ def test_the_zip_is_in_the_language_of_the_desk(classroom: Class) -> None:
         made = classroom.pack()
     with zipfile.ZipFile(io.BytesIO(made.result())) as file:
         assert "Was eine Klasse abgegeben hat: " in file.read("README.txt").decode()
-        rows = list(csv.DictReader(io.StringIO(file.read("answers.csv").decode("utf-8-sig"))))
+        rows = list(csv.DictReader(io.StringIO(file.read("answers.csv").decode("utf-8-sig")), delimiter=";"))
     assert [(row["Art"], row["richtig"], row["verspätet"]) for row in rows] == [
         ("Stimme", "ja", "nein"),
         ("Satz", "", "nein"),

@@ -59,6 +59,11 @@ def test_the_chosen_part_is_described_and_with_shift_the_body() -> None:
     page.frames(3, Select(joints=(1,)))
     page.frames(2, Describe())
     assert said(page).startswith("Joint 1 is at mass 2, between springs 1 and 2.")
+    before, at, after = page.simulation.positions[1:4]
+    one, other = (math.atan2(*(end - at)) for end in (before, after))
+    corner = re.search(r"The corner between these springs has ([\d.]+)°\.", said(page))
+    assert corner
+    assert float(corner[1]) == pytest.approx(math.degrees(abs(one - other)), rel=0.02)
     page.frames(2, Perform("describeBody"))
     assert says(page, "A chain of")
     # Of several selected parts the body is described, as without any.

@@ -402,6 +402,8 @@ def test_formulas_in_a_step_are_named_as_they_are_and_read_their_masses() -> Non
         "body[3,4].x": "body[3,4].x", "energy.kinetic": "kinetic", "spring2.length": "length of spring 2",
     }  # fmt: skip
     assert {name: quantity_text(name) for name in words} == words
+    with speaking("de"):
+        assert quantity_text("body.angular_momentum") == "Drehimpuls des Körpers"
     assert goal_text(Goal(quantity=FORMULA, of="period", low=1.0), scene) == (
         f"period of {FORMULA}: at least 1 s"
     )

@@ -296,6 +296,16 @@ def test_the_wall_counts_every_seat_that_is_here_once(classroom: Class) -> None:
     assert told.seats == 3
 
 
+def test_who_has_handed_in_is_not_counted_again_by_what_the_body_does(classroom: Class) -> None:
+    wall, desk, pupils = Wall(classroom), Teacher(classroom), [Pupil(classroom, number) for number in (1, 2)]
+    classroom.room.go(0, Phase.COLLECT)
+    for pupil in pupils:
+        pupil.frame()
+    classroom.room.take(1, an_answer(1, Work(found=1.0)))
+    told = wall.shown(class_messages.Wall), desk.shown(class_messages.Desk)
+    assert [one.doing for one in told] == 2 * [{"trying": 0, "exploded": 0, "untouched": 1}]
+
+
 def test_who_left_is_not_waited_for_and_does_not_count(classroom: Class) -> None:
     wall, pupils = Wall(classroom), [Pupil(classroom, number) for number in (1, 2, 3)]
     classroom.room.go(0, Phase.EXPLAIN)

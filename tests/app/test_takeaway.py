@@ -17,6 +17,7 @@ from app.classroom.takeaway import PICTURE_SIZE, log_path, pack
 from app.export.window import Window
 from app.stage.colors import palette
 from app.stage.sketch import Sketch
+from app.words import speaking
 from tests.app.test_room import a_room, an_answer
 
 pytestmark = pytest.mark.usefixtures("class_folder")
@@ -75,13 +76,30 @@ def test_everything_that_was_given_is_in_the_zip_once() -> None:
     assert sim.load_scene(path.parent / scenes[0]).lesson == room.scenes[0].lesson
 
 
-def test_tables_may_have_decimal_commas() -> None:
+def test_tables_have_decimal_commas_where_the_language_has() -> None:
     room = a_room()
     room.enter("0" * 32)
     room.go(0, Phase.COLLECT)
     room.take(1, an_answer(1, Work(found=1.25)))
-    (row,), _ = tables(pack(room, decimal_comma=True), ";")
-    assert row["answer"] == "1,25"
+    with speaking("de"):
+        data = pack(room)
+    (row,), _ = tables(data, ";")
+    assert row["Antwort"] == "1,25"
+    with zipfile.ZipFile(io.BytesIO(data)) as file:
+        assert "Dezimalkommas" in file.read("README.txt").decode()
+
+
+def test_a_late_prediction_is_marked_in_its_table() -> None:
+    room = a_room()
+    for secret in ("0", "1"):
+        room.enter(secret * 32)
+    room.go(0, Phase.ASK)
+    where = Prediction(((0.5, 1.0),) * 4)
+    room.take(1, an_answer(1, where))
+    room.go(0, Phase.RESULTS)
+    room.take(2, an_answer(2, where))
+    _, predictions = tables(pack(room))
+    assert {(row["seat"], row["late"]) for row in predictions} == {("1", "no"), ("2", "yes")}
 
 
 def test_points_of_the_plot_are_in_the_zip_with_its_axes() -> None:
@@ -92,5 +110,5 @@ def test_points_of_the_plot_are_in_the_zip_with_its_axes() -> None:
     with zipfile.ZipFile(io.BytesIO(pack(room))) as file:
         (row,) = csv.DictReader(io.StringIO(file.read("found.csv").decode("utf-8-sig")))
     axes = [row[key] for key in ("over", "over unit", "what", "unit")]
-    assert axes == ["gravity", "px/s²", "stretch of spring 0", "px"]
+    assert axes == ["Gravity", "px/s²", "stretch of spring 0", "px"]
     assert (row["setting"], row["found"]) == ("1000", "12.5")

@@ -33,7 +33,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
         (tmp_path / name).write_text(text, encoding="utf-8")
     (tmp_path / "sim").mkdir()
     monkeypatch.setattr(spoken, "FOLDER", tmp_path)
-    monkeypatch.setattr(words, "_SIM", tmp_path / "sim")
+    monkeypatch.setattr(words, "SIM_SOURCES", tmp_path / "sim")
     monkeypatch.setattr(words, "sim_templates", lambda: {"mass {mass} is held": "sim/a.py"})
     monkeypatch.setattr(words, "of_scenes", lambda: {"scenes/rope.json": ["A rope of twelve masses", "Hi"]})
     spoken.languages.cache_clear()

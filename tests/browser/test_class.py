@@ -516,7 +516,7 @@ def test_the_pages_of_one_class_have_their_own_languages(school: School) -> None
     go(Phase.ASK)
     expect(wall.locator(".softrod-wall-count")).to_have_text("0 von 1 haben geantwortet")
     pupil.locator("[data-focus=choice1]").click()
-    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 haben geantwortet")
+    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 hat geantwortet")
     go(Phase.REVEAL)
     verdict = "Du hast gewählt: at 240. Die richtige Antwort: at 240. Energy."
     expect(pupil.locator(".softrod-verdict")).to_have_text(verdict)
@@ -632,6 +632,13 @@ def test_the_wall_shows_all_of_a_run_in_letters_for_the_last_row(
             seen = "one => one.getBoundingClientRect().bottom <= innerHeight"
             until(wall, partial(plot.evaluate, seen), "all of the plot is seen")
         assert side.evaluate("one => one.scrollHeight <= one.clientHeight"), phase
+    go(Phase.COLLECT)
+    with FRAME_LOCK:
+        for number in (1, 2):
+            room.take(room.enter(f"{number:032x}").number, an_answer(number, Work(found=2.0, setting=number)))
+    sizes = """plot => [...plot.querySelectorAll("text")].map((text) =>
+      parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a)"""
+    assert min(side.locator(".softrod-class-plot").evaluate(sizes)) >= size[1] / 36
 
 
 def test_the_reveal_has_a_strip_of_its_own_beside_the_body(school: School) -> None:
@@ -664,6 +671,12 @@ def test_the_reveal_has_a_strip_of_its_own_beside_the_body(school: School) -> No
         marks.every((one) => one.right <= right && one.bottom <= bottom);
     }"""
     until(wall, lambda: wall.evaluate(beside), "dots and texts are beside the body")
+    # Each a pixel below the one before.
+    heights = wall.locator(".softrod-reveal circle").evaluate_all(
+        "dots => dots.map((dot) => Number(dot.getAttribute('cy')))"
+    )
+    assert np.diff(heights) == pytest.approx((heights[-1] - heights[0]) / 11)
+    assert heights[-1] > heights[0]
 
 
 def test_a_prediction_that_was_moved_is_handed_in_as_the_answers_are_shown(school: School) -> None:

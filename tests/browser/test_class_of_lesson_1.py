@@ -24,6 +24,9 @@ pytestmark = pytest.mark.skipif(not NIGHT, reason="takes a minute: by day its pa
 expect.set_options(timeout=LIMIT * 1e3)
 
 PHONE, LYING, LAPTOP, DESK, WALL = (390, 844), (844, 390), (1280, 720), (1280, 720), (1920, 1080)
+HEIGHTS = "dots => dots.map(dot => Number(dot.getAttribute('cy')))"
+LETTERS = """plot => Math.min(...[...plot.querySelectorAll("text")].map((text) =>
+    parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a / innerHeight))"""
 
 
 @dataclass
@@ -117,6 +120,9 @@ def test_a_class_of_lesson_1(lesson: Lesson) -> None:
     expect(wall.locator(".softrod-wall-number")).to_have_text("100 px")
     expect(wall.locator(".softrod-reveal-far")).to_have_text("100 px lower")
     expect(wall.locator(".softrod-reveal circle")).to_have_count(3)
+    # They were put 50, 100 and 200 px lower.
+    one, two, three = sorted(wall.locator(".softrod-reveal circle").evaluate_all(HEIGHTS))
+    assert three - two == pytest.approx(2.0 * (two - one), rel=0.02)
     expect(wall.locator(".softrod-reveal-right")).to_have_count(1)
     for pupil in pupils:
         expect(pupil.locator(".softrod-verdict")).to_contain_text("The right answer: 100 px")
@@ -139,8 +145,9 @@ def test_a_class_of_lesson_1(lesson: Lesson) -> None:
         expect(pupil.locator(".softrod-handed")).to_contain_text("Handed in")
         expect(pupil.locator(".softrod-plot-own")).to_have_count(1)
     expect(wall.locator(".softrod-class-plot circle")).to_have_count(3)
+    assert wall.locator(".softrod-class-plot").evaluate(LETTERS) >= 1 / 36
     desk.get_by_role("button", name="Show the law").click()
-    expect(wall.locator(".softrod-wall-side")).to_contain_text("stretch of spring 0 = 0.05 × gravity")
+    expect(wall.locator(".softrod-wall-side")).to_contain_text("stretch of spring 0 = 0.05 × Gravity")
     desk.get_by_label("More", exact=True).click()
     with desk.expect_download() as download:
         desk.get_by_role("button", name="Save all as a zip").click()

@@ -22,8 +22,13 @@ def test_d_describes_the_mass_that_keys_chose_and_without_one_the_body(open_page
     until(page, lambda: spoken.count() == 1, "a screen reader reads it")
     page.keyboard.press("Escape")
     assert not card.is_visible()
-    page.evaluate("document.activeElement.blur()")
     page.keyboard.press("d")
+    card.wait_for()
+    page.get_by_role("button", name="Close the description").focus()
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.className") == "softrod-body", "where it was before"
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press("Shift+D")
     until(page, lambda: (card.text_content() or "").endswith("Nothing has changed since."), "the body again")
 
 

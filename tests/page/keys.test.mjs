@@ -143,6 +143,10 @@ test("arrows are held, but not in a text nor on what takes them for itself", () 
     element.remove();
   }
   assert.deepEqual(pressed(put("button", {}, steps), "ArrowLeft"), [["keys left", "keys "], false]);
+  const slider = put("div", { role: "slider" });
+  assert.deepEqual(pressed(slider, "End", { clicked: false }), NOT);
+  assert.deepEqual(pressed(slider, "Escape", { clicked: false }), [["pause"], false], "which moves no slider");
+  slider.remove();
 });
 
 test("a dialog, a menu, a key of the browser and the open box of instruments have their keys to themselves", () => {

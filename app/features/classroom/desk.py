@@ -34,6 +34,7 @@ from .role import (
     NOTHING,
     ClassRole,
     asking,
+    count_bodies,
     found_by,
     home_text,
     law_of,
@@ -364,6 +365,7 @@ class DeskRole(ClassRole):
                 if (answer.stop, answer.round) == (room.at, room.round)
             ),
             bars=tuple(room.bars(room.at, room.vote_round)),
+            doing=count_bodies(classroom),
             right=step.question.answer if step is not None and step.question is not None else -1,
             axes=axes_of(room, room.at),
             law=law_of(found),
@@ -405,7 +407,7 @@ class DeskRole(ClassRole):
     def _seat(self, seat: rooms.Seat, answered: bool) -> DeskSeat:
         status = self.classroom.statuses.get(seat.number, PupilStatus())
         done = self.room.done(seat.number) if self.room.is_home else ()
-        idle = self.room.phase in OWN_BODY and not status.begun and status.word != "exploded"
+        idle = self.room.phase in OWN_BODY and status.is_untouched
         return DeskSeat(
             number=seat.number,
             name=seat.name,

@@ -457,7 +457,7 @@ class Wall(State, frozen=True, kw_only=True):
         found: what was handed in, a point a seat, and
         axes: of their plot.
         law: of these points, if it is to be seen.
-        doing: how many seats' bodies do what, while each one has their own.
+        doing: how many bodies do what, of those who have not handed in, while each one has their own.
         start: where the masses were as the step began, in the page's world; only for the reveal.
         steps: of the class's plan.
         unit: of lengths.
@@ -581,6 +581,7 @@ class Desk(State, frozen=True, kw_only=True):
         next: where the class goes next: stop, phase, round; None at the end.
         answers: to the present stop and round, or to what was asked last there.
         bars: votes for each choice, also while they are sealed.
+        doing: see `Wall`.
         axes: of the class's plot.
         law: of its points; None where they have none.
         shows_law: whether the wall shows it.
@@ -614,6 +615,7 @@ class Desk(State, frozen=True, kw_only=True):
     seats: tuple[DeskSeat, ...]
     answers: tuple[DeskAnswer, ...]
     bars: tuple[int, ...]
+    doing: dict[str, int]
     right: int
     axes: Axes
     law: Law | None

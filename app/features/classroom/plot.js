@@ -10,7 +10,9 @@ import { decimal, joined, say } from "../../words/words.js";
 
 /** Size of the plot, in its own units, and what of it is left of, below and above the axes. */
 const SIZE = { width: 400, height: 270 };
-const MARGIN = { left: 62, below: 52, above: 30, right: 26 };
+/** Its letters where nobody asks for larger ones, and what is left of, below, above and right of the axes, in their size. */
+const LETTERS = 14;
+const MARGIN = { left: 4.3, below: 3.5, above: 2.1, right: 1.8 };
 /** Ratio of the largest to the smallest number from which an axis is logarithmic. */
 const WIDE_RANGE = 5;
 /** Pieces of the curve of a law. */
@@ -19,7 +21,9 @@ const PIECES = 40;
 const PLAIN = 0.005;
 /** Span of an axis at least, as a part of its largest number: what differs by less is the same to a class. */
 const MIN_SPAN = 0.05;
-/** Marks of a linear axis. */
+/** Ratio of the smallest to the largest number below which a linear axis begins at zero. */
+const FROM_ZERO = 0.6;
+/** Marks of a linear axis with letters of the usual size. */
 const MAX_MARKS = 5;
 
 /**
@@ -27,9 +31,12 @@ const MAX_MARKS = 5;
  *
  * @param {number[]} numbers
  * @param {boolean} logarithmic
+ * @param {number} [count] of the marks of a linear one, at most
  */
-export function axis(numbers, logarithmic) {
-  const [least, most] = [Math.min(...numbers), Math.max(...numbers)];
+export function axis(numbers, logarithmic, count = MAX_MARKS) {
+  let [least, most] = [Math.min(...numbers), Math.max(...numbers)];
+  if (!logarithmic && least > 0 && least < FROM_ZERO * most) least = 0;
+  if (!logarithmic && most < 0 && most > FROM_ZERO * least) most = 0;
   const scale = logarithmic ? Math.log10 : (/** @type {number} */ number) => number;
   const [low, high] = [scale(least), scale(most)];
   const span = logarithmic ? 0.3 : MIN_SPAN * Math.max(Math.abs(low), Math.abs(high)) || 1;
@@ -38,7 +45,7 @@ export function axis(numbers, logarithmic) {
   const part = (number) => (scale(number) - low + margin) / (high - low + 2 * margin);
   const [from, to] = [low - margin, high + margin];
   const isNarrow = high - low < Math.log10(WIDE_RANGE);
-  const marks = !logarithmic ? axisMarks(from, to, MAX_MARKS) : isNarrow ? axisMarks(10 ** from, 10 ** to, MAX_MARKS) : powers(10 ** from, 10 ** to);
+  const marks = !logarithmic ? axisMarks(from, to, count) : isNarrow ? axisMarks(10 ** from, 10 ** to, count) : powers(10 ** from, 10 ** to);
   return { part, marks };
 }
 
@@ -74,19 +81,19 @@ export const power = ({ factor, exponent }, { what, over }) => {
  *
  * @param {Found[]} found
  * @param {Axes} axes
- * @param {{law?: Law | null, own?: Found | null}} [options] the law of the points; the one that is the reader's own
+ * @param {{law?: Law | null, own?: Found | null, letters?: number}} [options] the law of the points; the one that is the reader's own; the size of letters, in the plot's units
  */
-export function plot(found, axes, { law = null, own = null } = {}) {
+export function plot(found, axes, { law = null, own = null, letters = LETTERS } = {}) {
   const { what, unit, over, over_unit, turned } = axes;
   const svg = makeSvg("svg", "softrod-class-plot");
   svg.removeAttribute("aria-hidden");
   const values = { what, over, count: found.length };
   const label = law ? say("class-plot.law", { ...values, law: power(law, axes) }) : say("class-plot", values);
-  set(svg, { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: "img", "aria-label": label });
+  set(svg, { viewBox: `0 0 ${SIZE.width} ${SIZE.height}`, role: "img", "aria-label": label, "font-size": letters });
   /** @param {number[]} numbers */
   const axisOf = (numbers) => {
     const least = Math.min(...numbers);
-    return axis(numbers, least > 0 && Math.max(...numbers) > WIDE_RANGE * least);
+    return axis(numbers, least > 0 && Math.max(...numbers) > WIDE_RANGE * least, Math.round((MAX_MARKS * LETTERS) / letters));
   };
   const settings = found.map(({ setting }) => setting);
   const x = axisOf(settings), y = axisOf(found.map((one) => one.found));
@@ -96,19 +103,19 @@ export function plot(found, axes, { law = null, own = null } = {}) {
     set(element, attributes);
     element.textContent = text;
   };
-  const { left, above } = MARGIN;
-  const right = SIZE.width - MARGIN.right, low = SIZE.height - MARGIN.below;
+  const [left, above] = [MARGIN.left * letters, MARGIN.above * letters];
+  const right = SIZE.width - MARGIN.right * letters, low = SIZE.height - MARGIN.below * letters;
   /** @param {number} number */
   const across = (number) => left + x.part(number) * (right - left);
   /** @param {number} number */
   const up = (number) => (turned ? above + y.part(number) * (low - above) : low - y.part(number) * (low - above));
   for (const mark of x.marks) {
     add("path", { class: "softrod-plot-grid", d: `M${across(mark)} ${above}V${low}` });
-    add("text", { x: across(mark), y: low + 20, "text-anchor": "middle" }, short(mark));
+    add("text", { x: across(mark), y: low + 1.35 * letters, "text-anchor": "middle" }, short(mark));
   }
   for (const mark of y.marks) {
     add("path", { class: "softrod-plot-grid", d: `M${left} ${up(mark)}H${right}` });
-    add("text", { x: left - 6, y: up(mark) + 5, "text-anchor": "end" }, short(mark));
+    add("text", { x: left - 6, y: up(mark) + 0.35 * letters, "text-anchor": "end" }, short(mark));
   }
   add("path", { d: `M${left} ${above}V${low}H${right}` });
   if (law) {
@@ -122,7 +129,7 @@ export function plot(found, axes, { law = null, own = null } = {}) {
     const side = x.part(own.setting) > 0.5 ? "end" : "start";
     add("text", { class: "softrod-plot-you", x: across(own.setting) + (side === "end" ? -14 : 14), y: up(own.found) - 10, "text-anchor": side }, say("class-plot-you", { value: short(Number(own.found.toPrecision(4))) }));
   }
-  add("text", { x: (left + right) / 2, y: SIZE.height - 8, "text-anchor": "middle", class: "softrod-axis" }, joined([over, over_unit]));
-  add("text", { x: 4, y: 18, class: "softrod-axis" }, joined([what, unit]));
+  add("text", { x: right, y: SIZE.height - 0.5 * letters, "text-anchor": "end", class: "softrod-axis" }, joined([over, over_unit]));
+  add("text", { x: 4, y: 1.2 * letters, class: "softrod-axis" }, joined([what, unit]));
   return svg;
 }

@@ -63,18 +63,15 @@ function count(number, text, name = "") {
 }
 
 /** How far they are while each one has a body of their own. @param {Desk} desk @returns {HTMLElement[]} */
-function counts({ asking: { phase }, seats, home }) {
+function counts({ asking: { phase }, seats, doing, home }) {
   if (home || !OWN_BODY.has(phase)) return [];
-  const here = seats.filter((seat) => seat.here);
-  const done = here.filter(({ answered }) => answered).length;
-  const idle = here.filter((seat) => !seat.answered && seat.doing === "untouched").length;
-  const exploded = here.filter(({ doing }) => doing === "exploded").length;
-  const trying = here.length - idle - (phase === "collect" ? done : exploded);
+  const done = seats.filter(({ here, answered }) => here && answered).length;
+  const { trying, exploded, untouched } = doing;
   const items = [
     ...(phase === "collect" ? [count(done, say("desk-count-handed-in", { count: done }), "softrod-done")] : []),
     count(trying, say("desk-count-trying", { count: trying })),
-    ...(phase === "try" && exploded ? [count(exploded, say("desk-count-exploded", { count: exploded }), "softrod-idle")] : []),
-    ...(idle ? [count(idle, say("desk-count-idle", { count: idle }), "softrod-idle")] : []),
+    ...(exploded ? [count(exploded, say("desk-count-exploded", { count: exploded }), "softrod-idle")] : []),
+    ...(untouched ? [count(untouched, say("desk-count-idle", { count: untouched }), "softrod-idle")] : []),
   ];
   return [box("ul", "softrod-desk-counts", ...items)];
 }

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import sim
-from app.classroom.answers import Answer, Phase, Prediction, Work
+from app.classroom.answers import OWN_BODY, Answer, Phase, Prediction, Work
 from app.classroom.law import power_law
-from app.classroom.live import Class, SharedView
+from app.classroom.live import Class, PupilStatus, SharedView
 from app.classroom.plotted import Plotted
 from app.classroom.room import Place, Room
 from sim.scene.lesson import Question
@@ -305,6 +305,25 @@ def law_of(found: Sequence[Found]) -> Law | None:
     """Return the power law of the class's plot; None where it has none."""
     law = power_law([(one.setting, one.found) for one in found])
     return None if law is None else Law(factor=law.factor, exponent=law.exponent)
+
+
+def count_bodies(classroom: Class) -> dict[str, int]:
+    """Count the bodies that explode, stand untouched or do neither, while each seat that is here has its own.
+
+    Those that have handed in are not among them. With a goal, all that have reached it are counted as well.
+    """
+    room = classroom.room
+    if room.phase not in OWN_BODY:
+        return {}
+    here = classroom.present()
+    bodies = {number: classroom.statuses.get(number, PupilStatus()) for number in here}
+    busy = [body for number, body in bodies.items() if number not in room.answered()]
+    exploded = sum(body.word == "exploded" for body in busy)
+    idle = sum(body.is_untouched for body in busy)
+    counts = {"trying": len(busy) - exploded - idle, "exploded": exploded, "untouched": idle}
+    if (step := room.step) is not None and step.goal is not None:
+        counts["at the goal"] = sum(body.word == "goal reached" for body in bodies.values())
+    return counts
 
 
 def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int], ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.classroom.answers import OWN_BODY, Line, Phase, Vote, Work
+from app.classroom.answers import Line, Phase, Vote, Work
 from app.classroom.axes import axes_of
 from app.classroom.live import Class, SharedView
 from app.classroom.plotted import Plotted
@@ -20,6 +20,7 @@ from .role import (
     SHOWN,
     ClassRole,
     asking,
+    count_bodies,
     found_by,
     in_world,
     law_of,
@@ -54,7 +55,7 @@ class WallRole(ClassRole):
 
     def _update(self, session: Session) -> None:
         room = self.room
-        doing = self._count_bodies() if room.phase in OWN_BODY else {}
+        doing = count_bodies(self.classroom)
         if not self._is_new(tuple(doing.values())):
             return
         found, answered = found_by(room, room.at), room.answered()
@@ -95,18 +96,6 @@ class WallRole(ClassRole):
         except SettingError:
             return ()
         return in_world(Mapping.of(scene), Picture.at_start(scene).positions)
-
-    def _count_bodies(self) -> dict[str, int]:
-        """Count the moving, exploded and untouched bodies of the seats that are present; with a goal, also
-        those that have reached it."""
-        seats = self.classroom.present()
-        bodies = [self.classroom.statuses.get(number) for number in seats]
-        exploded = sum(one is not None and one.word == "exploded" for one in bodies)
-        idle = sum(one is None or (one.word != "exploded" and not one.begun) for one in bodies)
-        counts = {"trying": len(seats) - exploded - idle, "exploded": exploded, "untouched": idle}
-        if (step := self.room.step) is not None and step.goal is not None:
-            counts["at the goal"] = sum(one is not None and one.word == "goal reached" for one in bodies)
-        return counts
 
     def _view_of_work(self, id: str) -> SharedView | None:
         """Return a view of the body of a run that was handed in; None if the answer is no run."""

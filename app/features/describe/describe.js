@@ -23,18 +23,26 @@ function begin() {
   card.ariaLabel = say("describe-title");
   card.hidden = true;
   const text = make("p", "");
-  card.append(text, makeClose(() => (card.hidden = true), say("describe-close")));
+  /** What had the focus before. @type {Element | null} */
+  let before = null;
+  const close = () => {
+    const target = before?.isConnected ? before : document.querySelector(".softrod-body");
+    if (card.contains(document.activeElement) && target instanceof HTMLElement) target.focus();
+    card.hidden = true;
+  };
+  card.append(text, makeClose(close, say("describe-close")));
   overCanvas().append(card);
   // The card is hidden while it is closed, and what is hidden is not read.
   const tell = addTeller();
   onMessage("described", (told) => {
     text.textContent = told.text;
     tell(told.text);
+    if (!card.contains(document.activeElement)) before = document.activeElement;
     card.hidden = false;
   });
   window.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || card.hidden || !isFree(event)) return;
-    card.hidden = true;
+    close();
     swallow(event);
   }, true);
 }

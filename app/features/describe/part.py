@@ -82,6 +82,7 @@ def _of_joint(found: JointFound) -> Iterator[str]:
     if found.is_broken:
         yield say("describe-part-broken")
         return
+    yield say("describe-part-corner", corner=f"{number(found.corner)}°")
     angle, rest = (f"{number(each)}°" for each in (found.angle, found.rest_angle))
     yield say("describe-part-angle", angle=angle, rest=rest)
     yield say("describe-part-torque", torque=f"{number(found.torque)} {found.unit}")

@@ -31,22 +31,23 @@ const EDGE = 14;
 /** @typedef {{x: number, y: number}} Point on the canvas, px */
 
 /**
- * Puts places into bins along the axis, so narrow that the longest row of dots fits.
+ * The column of each dot, so that no two dots touch, and their size, so small that all columns fit.
  *
- * @param {number[]} along where each is, px @param {number} room for a row, px
+ * @param {number[]} along where each is along the axis, px @param {number} room for the columns, px
  */
-export function rows(along, room) {
-  let size = ROOM;
-  for (;;) {
-    /** @type {Map<number, number>} */
-    const bins = new Map();
-    const dots = along.map((at) => {
-      const bin = Math.round(at / size), count = bins.get(bin) || 0;
-      bins.set(bin, count + 1);
-      return { at: bin * size, count };
-    });
-    if (size <= LEAST_ROOM || size * Math.max(0, ...bins.values()) <= room) return { size, dots };
-    size -= 1;
+export function columns(along, room) {
+  const order = along.map((_, i) => i).sort((one, other) => along[one] - along[other]);
+  for (let size = ROOM; ; size -= 1) {
+    /** The last place in each column. @type {number[]} */
+    const last = [];
+    /** @type {number[]} */
+    const column = [];
+    for (const i of order) {
+      const free = last.findIndex((at) => along[i] - at >= size);
+      column[i] = free < 0 ? last.length : free;
+      last[column[i]] = along[i];
+    }
+    if (size <= LEAST_ROOM || size * last.length <= room) return { size, column };
   }
 }
 
@@ -102,16 +103,16 @@ export class Reveal {
     const letters = parseFloat(getComputedStyle(this.svg).fontSize);
     const put = this.#bodies.filter((one) => one[mass]).map((one) => at(one[mass]));
     const room = isUpright ? clientWidth - axis - ROOM : axis - TOP - 3 * letters;
-    const { size, dots } = rows(put.map(({ x, y }) => (isUpright ? y : x)), room);
+    const along = put.map(({ x, y }) => (isUpright ? y : x)), { size, column } = columns(along, room);
     if (far > STAYED) this.#lines(from, to, plan.radius[mass] * on.step + BESIDE, isUpright, axis);
     const near = Math.max(plan.radius[mass] * on.step, ROOM / 2), goal = isUpright ? to.y : to.x;
-    put.forEach((place, i) => {
-      const isRight = Math.abs((isUpright ? place.y : place.x) - goal) <= near;
-      const away = (isUpright ? 1 : -1) * (0.5 * ROOM + size * dots[i].count + 0.5 * size);
-      const [cx, cy] = isUpright ? [axis + away, dots[i].at] : [dots[i].at, axis + away];
+    put.forEach((_, i) => {
+      const isRight = Math.abs(along[i] - goal) <= near;
+      const away = (isUpright ? 1 : -1) * (0.5 * ROOM + size * column[i] + 0.5 * size);
+      const [cx, cy] = isUpright ? [axis + away, along[i]] : [along[i], axis + away];
       set(makeSvg("circle", isRight ? "softrod-reveal-right" : "softrod-reveal-dot", this.svg), { cx, cy, r: DOT * size });
     });
-    const ends = [...dots.map((dot) => dot.at), isUpright ? from.y : from.x, goal];
+    const ends = [...along, isUpright ? from.y : from.x, goal];
     const [first, last] = [Math.min(...ends) - size, Math.max(...ends) + size];
     set(makeSvg("path", "softrod-reveal-axis", this.svg), { d: isUpright ? `M${axis} ${first}V${last}` : `M${first} ${axis}H${last}` });
     const length = Math.sign(goal - (isUpright ? from.y : from.x)) * (far / on.step / plan.scale);

@@ -22,6 +22,8 @@ const EMPTY_AFTER = 60_000;
 const WAITS = /** @type {const} */ ({ ask: "class-answered", explain: "class-wrote", collect: "class-handed-in" });
 /** How many bodies do what; the number stands over it. @type {Record<string, "wall-trying" | "wall-exploded" | "wall-untouched" | "wall-at-goal">} */
 const DOING = { trying: "wall-trying", exploded: "wall-exploded", untouched: "wall-untouched", "at the goal": "wall-at-goal" };
+/** Size of the letters of the class's plot, in its units: on a slide, 1/30 of its height. */
+const PLOT_LETTERS = 20;
 /** Letters of an answer that stands as large as a number. */
 const SHORT = 9;
 /** How many lines as high as its letters the wall has: the first of these with which all that stands at its side is seen. */
@@ -170,7 +172,7 @@ function content(wall) {
     if (!found.length) parts.push(make("p", "", asking.do));
     if (asking.goal) parts.push(make("p", "", say("class-goal", { goal: asking.goal })));
     parts.push(counts(doing));
-    if (found.length) parts.push(plot(found, axes, { law }));
+    if (found.length) parts.push(plot(found, axes, { law, letters: PLOT_LETTERS }));
     if (law) parts.push(make("p", "", power(law, axes)));
   }
   for (const { text, color } of found.length || phase === "reveal" ? [] : lines) {

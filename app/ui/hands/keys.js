@@ -34,9 +34,13 @@ const isTyping = (target) =>
     target.tagName === "TEXTAREA" ||
     target.tagName === "SELECT" ||
     (target instanceof HTMLInputElement && !["range", "checkbox", "radio", "button"].includes(target.type)));
-/** A slider that was reached with the Tab key takes the arrows for itself; of the bars of modes see `isTaken`. @param {EventTarget | null} target */
-const isSlider = (target) =>
-  target instanceof HTMLElement && target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
+/** Keys besides the arrows that move a slider. */
+const SLIDES = new Set(["Home", "End", "PageUp", "PageDown"]);
+/** Whether a slider that was reached with the Tab key takes a key for itself; of the bars of modes see `isTaken`. @param {KeyboardEvent} event */
+const isSliding = ({ target, key }) =>
+  (key in ARROWS || SLIDES.has(key)) &&
+  target instanceof HTMLElement &&
+  target.matches('[role="slider"]:not(.softrod-mode):focus-visible, input[type="range"]:focus-visible');
 /**
  * Whether what has the focus takes a key for itself: the body, an instrument, a muscle's mark or a bar of a mode arrows and Space, the
  * body with a mass in hand Esc, a plot arrows, a tab that was reached by the Tab key arrows across, the open box of instruments Esc.
@@ -118,7 +122,7 @@ function press(event) {
     if (!event.repeat) perform(once);
     return;
   }
-  if (!isFree(event) || isSlider(event.target) || isTaken(event)) return;
+  if (!isFree(event) || isSliding(event) || isTaken(event)) return;
   const arrow = heldArrow(event);
   if (arrow) {
     swallow(event);

@@ -248,6 +248,7 @@ describe-part-broken = هو مقطوع.
 describe-part-yielded = تشوّه تشوهًا دائمًا.
 describe-part-muscle = هو عضلة تغيّر طوله الطبيعي بنسبة ⁦{ $percent } %⁩ على الأكثر.
 describe-part-joint = المفصل { $joint } عند الكتلة { $mass }، بين النابضين { $one } و{ $other }.
+describe-part-corner = قياس الزاوية الداخلية بين هذين النابضين { $corner }.
 describe-part-angle = زاويته { $angle }، وزاويته الطبيعية { $rest }.
 describe-part-torque = عزمه { $torque }.
 describe-part-bends = هو عضلة تغيّر زاويته الطبيعية بمقدار { $degrees } على الأكثر.

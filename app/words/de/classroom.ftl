@@ -140,14 +140,14 @@ guide-drag = Zieht den blassen Körper dorthin, wo er { $seconds } s nach dem St
 guide-ask = Warten Sie, bis alle geantwortet haben. Sagen Sie nicht, was richtig ist.
 guide-again = Überzeugt eine Minute lang eure Nachbarn. Dann antwortet noch einmal.
   .do = Hören Sie zu. Sagen Sie nicht, was richtig ist.
-guide-results = Wer möchte sagen, warum ihr das gewählt habt?
+guide-results = Wer möchte seine Wahl begründen?
   .do = Hören Sie zwei an, die verschieden geantwortet haben. Nennen Sie die richtige Antwort noch nicht.
 guide-changed = Wer hat die Meinung geändert, und warum?
   .do = Nennen Sie die richtige Antwort noch nicht: Der Lauf wird sie zeigen.
 guide-run = Beobachtet, was geschieht.
   .do = Lassen Sie es laufen, bis alle gesehen haben, was geschieht.
 guide-run-new = Beobachtet, was geschieht. Das ist neu: { $runs }
-guide-run-stops = Es hält bei { $seconds } s an. Vergleichen Sie es mit den Vorhersagen.
+guide-run-stops = Der Lauf hält bei { $seconds } s an. Vergleichen Sie ihn mit den Vorhersagen.
 guide-reveal = Das ist die Antwort. Erklärt euren Nachbarn, warum.
   .predicted = Die Leinwand zeigt die Vorhersagen neben dem Körper, dann die richtige Antwort. Lassen Sie ihr einen Moment, bevor Sie sprechen.
   .do = Die Leinwand zeigt die richtige Antwort. Lassen Sie ihr einen Moment, bevor Sie sprechen.
@@ -215,9 +215,18 @@ class-told-at = { $day }. { $month ->
 
 ## Die Leinwand: was alle mit dem Beamer sehen.
 
-class-answered = { $done } von { $all } haben geantwortet
-class-wrote = { $done } von { $all } haben einen Satz geschrieben
-class-handed-in = { $done } von { $all } haben abgegeben
+class-answered = { $done ->
+    [one] { $done } von { $all } hat geantwortet
+   *[other] { $done } von { $all } haben geantwortet
+  }
+class-wrote = { $done ->
+    [one] { $done } von { $all } hat einen Satz geschrieben
+   *[other] { $done } von { $all } haben einen Satz geschrieben
+  }
+class-handed-in = { $done ->
+    [one] { $done } von { $all } hat abgegeben
+   *[other] { $done } von { $all } haben abgegeben
+  }
 wall-nobody = Noch niemand da? Netze halten Geräte manchmal voneinander fern: Versuchen Sie den Hotspot dieses Rechners.
 wall-way-in = { $address } öffnen und { $code } eingeben
 wall-scan = Scannen, oder { $address } öffnen und diese Buchstaben eingeben:
@@ -227,7 +236,7 @@ wall-here = { $count ->
   }
 wall-step = Schritt { $number } von { $steps }
 wall-now = Jetzt: { $runs }
-wall-where = Wo wird es { $seconds } s nach dem Start sein?
+wall-where = Wo ist der Körper { $seconds } s nach dem Start?
 wall-next = Jetzt: Erklärt euren Nachbarn, warum.
 wall-trying = { $count ->
     [one] probiert
@@ -294,10 +303,10 @@ desk-on = { $part } % richtig: weitergehen.
   .some = { $part } % richtig von den { $votes }, die geantwortet haben: weitergehen.
 desk-replay = Noch einmal, langsam
   .now = Langsam, von Anfang an …
-desk-gather = Allen meinen zeigen
+desk-gather = Meinen Körper allen zeigen
 desk-pause = Alle anhalten
 desk-reset = Alle zurücksetzen
-desk-give-mine = Allen meinen geben
+desk-give-mine = Meinen Körper allen geben
   .confirm = Allen Ihren Körper geben, wie er jetzt ist? Was sie haben, ist dann weg.
 desk-law = Gesetz zeigen
 desk-open = Tür öffnen
@@ -381,8 +390,8 @@ desk-most = { $count ->
     [one] Eine Person hat „{ $choice }“ gewählt: Fragen Sie nach, warum.
    *[other] { $count } haben „{ $choice }“ gewählt: Fragen Sie nach, warum.
   }
-desk-predicted = { $count } haben eine Vorhersage gezogen.
-  .some = { $count } von { $all } haben eine Vorhersage gezogen.
+desk-predicted = { $count } haben eine Vorhersage abgegeben.
+  .some = { $count } von { $all } haben eine Vorhersage abgegeben.
 desk-found = Was bisher gefunden wurde
 
 desk-who = Wer da ist
@@ -476,6 +485,8 @@ zip-readme =
     scenes/          was die Klasse durchging; `softrod class scenes/*.json` geht es mit einer anderen durch
     logs/            die abgegebenen Läufe; `softrod run --inputs DATEI` lässt einen noch einmal laufen
     pictures/        wie die Körper waren, als sie abgegeben wurden
+
+    Die Tabellen haben Dezimalkommas und zwischen den Spalten Semikolons.
 
     { $names } Wenn die Stunde beendet ist, bleibt davon nichts auf dem Rechner, auf dem sie lief.
 zip-typed-names = Manche Plätze haben Namen, die von der Klasse eingegeben wurden.

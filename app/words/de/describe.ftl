@@ -180,6 +180,7 @@ describe-part-broken = Gerissen.
 describe-part-yielded = Bleibend verformt.
 describe-part-muscle = Sie ist ein Muskel, der ihre Ruhelänge um bis zu { $percent } % verändert.
 describe-part-joint = Gelenk { $joint } ist an Masse { $mass }, zwischen den Federn { $one } und { $other }.
+describe-part-corner = Die Ecke zwischen diesen Federn hat { $corner }.
 describe-part-angle = Sein Winkel ist { $angle }, sein Ruhewinkel { $rest }.
 describe-part-torque = Sein Drehmoment ist { $torque }.
 describe-part-bends = Es ist ein Muskel, der seinen Ruhewinkel um bis zu { $degrees } verändert.

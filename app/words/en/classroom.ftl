@@ -513,6 +513,8 @@ zip-readme =
     logs/            the runs that were handed in; `softrod run --inputs FILE` does one again
     pictures/        how the bodies were when they were handed in
 
+    The tables have decimal points, and commas between their columns.
+
     { $names } When the class is ended, nothing of this is left on the computer that held it.
 zip-typed-names = Some seats have names that pupils typed.
 zip-given-names = Seats have the names that the class gave out.

@@ -173,6 +173,7 @@ describe-part-broken = It is broken.
 describe-part-yielded = It has yielded.
 describe-part-muscle = It is a muscle, which changes its rest length by up to { $percent } %.
 describe-part-joint = Joint { $joint } is at mass { $mass }, between springs { $one } and { $other }.
+describe-part-corner = The corner between these springs has { $corner }.
 describe-part-angle = Its angle is { $angle }, its rest angle { $rest }.
 describe-part-torque = Its torque is { $torque }.
 describe-part-bends = It is a muscle, which changes its rest angle by up to { $degrees }.

@@ -474,6 +474,8 @@ zip-readme =
     logs/            las simulaciones entregadas; `softrod run --inputs ARCHIVO` repite una
     pictures/        cómo estaban los cuerpos cuando se entregaron
 
+    Las tablas llevan coma decimal, y punto y coma entre las columnas.
+
     { $names } Cuando la clase se termina, nada de esto queda en el equipo en el que estaba.
 zip-typed-names = Algunos puestos tienen nombres que escribió la clase.
 zip-given-names = Los puestos tienen los nombres que se les asignaron.

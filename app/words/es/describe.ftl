@@ -180,6 +180,7 @@ describe-part-broken = Se ha roto.
 describe-part-yielded = Tiene una deformación permanente.
 describe-part-muscle = Es un músculo que cambia su longitud natural hasta un { $percent } %.
 describe-part-joint = La articulación { $joint } está en la masa { $mass }, entre los resortes { $one } y { $other }.
+describe-part-corner = La esquina entre estos resortes mide { $corner }.
 describe-part-angle = Su ángulo es de { $angle }; su ángulo natural, de { $rest }.
 describe-part-torque = Su momento es de { $torque }.
 describe-part-bends = Es un músculo que cambia su ángulo natural hasta { $degrees }.

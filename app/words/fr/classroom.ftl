@@ -486,6 +486,8 @@ zip-readme =
     logs/            les essais rendus ; `softrod run --inputs FICHIER` en refait un
     pictures/        comment étaient les objets quand ils ont été rendus
 
+    Les tableaux ont des virgules décimales, et des points-virgules entre les colonnes.
+
     { $names } Quand la séance est terminée, il n’en reste rien sur l’ordinateur qui l’hébergeait.
 zip-typed-names = Certaines places ont des noms tapés par les élèves.
 zip-given-names = Les places ont les noms que la séance a attribués.

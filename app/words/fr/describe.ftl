@@ -153,7 +153,7 @@ describe-built = Depuis, l’objet a été modifié.
 
 describe-part-mass = La masse { $mass }, de { $weight }, est en x = { $x }, y = { $y }.
 describe-part-held = Elle est fixée.
-    .hand = Vous la tenez dans la main.
+    .hand = Tu la tiens dans la main.
 describe-part-still = Elle est au repos.
 describe-part-moves = Elle se déplace { $way } à { $speed }.
 describe-part-alone = Aucun ressort n’y est attaché.
@@ -180,6 +180,7 @@ describe-part-broken = Il y a eu rupture.
 describe-part-yielded = La déformation est permanente.
 describe-part-muscle = C’est un muscle, qui fait varier sa longueur à vide de { $percent } % au plus.
 describe-part-joint = L’articulation { $joint } se trouve à la masse { $mass }, entre les ressorts { $one } et { $other }.
+describe-part-corner = Le coin entre ces ressorts fait { $corner }.
 describe-part-angle = Son angle est de { $angle } ; son angle au repos, de { $rest }.
 describe-part-torque = Son couple est de { $torque }.
 describe-part-bends = C’est un muscle, qui fait varier son angle au repos de { $degrees } au plus.

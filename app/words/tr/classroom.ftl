@@ -442,6 +442,8 @@ zip-readme =
     logs/            teslim edilen denemeler; `softrod run --inputs DOSYA` birini yeniden yapar
     pictures/        cisimlerin teslim edildikleri andaki hâlleri
 
+    Tablolarda ondalık virgül, sütunların arasında noktalı virgül vardır.
+
     { $names } Ders bitirilince bunlardan hiçbiri, sınıfın bulunduğu bilgisayarda kalmaz.
 zip-typed-names = Bazı yerlerin adlarını öğrenciler yazdı.
 zip-given-names = Yerlerin adlarını sınıf verdi.

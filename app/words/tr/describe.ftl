@@ -142,6 +142,7 @@ describe-part-broken = Kopmuş.
 describe-part-yielded = Kalıcı biçim değiştirmiş.
 describe-part-muscle = Serbest uzunluğunu en çok %{ $percent } değiştiren bir kas.
 describe-part-joint = { $joint } numaralı eklem { $mass } numaralı kütlede, { $one } ve { $other } numaralı yayların arasında.
+describe-part-corner = Bu yayların arasındaki köşe { $corner }.
 describe-part-angle = Açısı { $angle }, serbest açısı { $rest }.
 describe-part-torque = Torku { $torque }.
 describe-part-bends = Serbest açısını en çok { $degrees } değiştiren bir kas.
