@@ -184,7 +184,7 @@ def test_over_a_phone_s_canvas_are_the_scene_s_name_and_what_finds_anything(open
     desk.until(lambda: found.first.locator("mark").count() == 2, "the number is found before scenes")
     assert found.first.locator("mark").all_inner_texts() == ["Bending", "st"]
     stiffness = desk.session.scene.angular_springs[0].stiffness
-    told = found.first.inner_text().replace("\u2009", "").replace("\u202f", "")
+    told = found.first.inner_text().replace("\u2009", "").replace("\u202f", "").replace("\u00a0", " ")
     assert f"{stiffness:g} kg/s² · Play" in told
     # A scene is found, too, and opened.
     page.keyboard.press("Control+a")
