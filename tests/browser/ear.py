@@ -114,8 +114,9 @@ class Ear:
         value = raw.get("value", {}).get("value", "")
         node = Node(
             raw.get("role", {}).get("value", ""),
-            str(raw.get("name", {}).get("value", "")),
-            str(states.get("valuetext") or value),
+            # The space that keeps a number at its unit is read as any other.
+            str(raw.get("name", {}).get("value", "")).replace("\u00a0", " "),
+            str(states.get("valuetext") or value).replace("\u00a0", " "),
             str(raw.get("description", {}).get("value", "")),
             states,
             raw.get("backendDOMNodeId", 0),

@@ -516,7 +516,7 @@ def test_the_pages_of_one_class_have_their_own_languages(school: School) -> None
     go(Phase.ASK)
     expect(wall.locator(".softrod-wall-count")).to_have_text("0 von 1 haben geantwortet")
     pupil.locator("[data-focus=choice1]").click()
-    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 hat geantwortet")
+    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 haben geantwortet")
     go(Phase.REVEAL)
     verdict = "Du hast gewählt: at 240. Die richtige Antwort: at 240. Energy."
     expect(pupil.locator(".softrod-verdict")).to_have_text(verdict)
