@@ -28,14 +28,20 @@ SIZES = tuple(TOUCHED)
 
 
 def faults(page: Page) -> set[tuple[str, ...]]:
-    """What is plain or cut on a page as it is now; a list of names that ends in dots is neither."""
+    """What is plain or cut on a page as it is now; a list of names that ends in dots is neither, nor is the
+    choice of a closed list, which is read whole when that is opened."""
     page.wait_for_timeout(300)
     found = {(what, *one.values()) for what in ("plain", "cut") for one in seen.ask(page, what)}
-    return {one for one in found if not one[2].endswith("…")}
+    return {one for one in found if not one[2].endswith("…") and one[:2] != ("cut", "select")}
 
 
 def tab(number: int) -> Callable[[Desk], None]:
-    return lambda desk: desk.page.get_by_role("tab").nth(number).click()
+    def show(desk: Desk) -> None:
+        if (folded := desk.page.locator(".softrod-unfold")).is_visible():
+            folded.click()
+        desk.page.get_by_role("tab").nth(number).click()
+
+    return show
 
 
 def key(letter: str) -> Callable[[Desk], None]:
@@ -43,6 +49,10 @@ def key(letter: str) -> Callable[[Desk], None]:
 
 
 def menu(desk: Desk) -> None:
+    hide = desk.page.locator(".softrod-panel-head > button").last
+    # In a small window the panel lies over what stands at the right.
+    if desk.page.evaluate("innerHeight < 380") and hide.is_visible():
+        hide.click()
     desk.page.locator(".softrod-menu-lid").click()
 
 
@@ -69,7 +79,7 @@ STATES: dict[str, Callable[[Desk], None]] = {
 """States of a page, and what leads to each; Escape leads back."""
 
 
-CASES = [(scene, size) for scene in ("walker", "lesson-hooke") for size in SIZES]
+CASES = [(scene, size) for scene in ("bridge", "lesson-hooke") for size in SIZES]
 
 
 @pytest.mark.parametrize(("scene", "size"), part_of(CASES, 10))
