@@ -54,7 +54,7 @@ def new_name(taken: Collection[str], choose: Choose = secrets.randbelow) -> Name
         taken: names that are in use, of any kind; fewer than there are names.
     """
     names = _names(language())
-    found = [pair for pair, name in names.items() if name in taken]
+    found = {pair for pair, name in names.items() if name in taken}
     used_colors, used_animals = Counter(color for color, _ in found), {animal for _, animal in found}
     free = [pair for pair in names if pair not in found]
     fitting = [pair for pair in free if pair[1] not in used_animals] or free

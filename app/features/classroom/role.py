@@ -315,9 +315,9 @@ def count_bodies(classroom: Class) -> dict[str, int]:
     room = classroom.room
     if room.phase not in OWN_BODY:
         return {}
-    here = classroom.present()
+    here, answered = classroom.present(), room.answered()
     bodies = {number: classroom.statuses.get(number, PupilStatus()) for number in here}
-    busy = [body for number, body in bodies.items() if number not in room.answered()]
+    busy = [body for number, body in bodies.items() if number not in answered]
     exploded = sum(body.word == "exploded" for body in busy)
     idle = sum(body.is_untouched for body in busy)
     counts = {"trying": len(busy) - exploded - idle, "exploded": exploded, "untouched": idle}
