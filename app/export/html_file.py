@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 import sim
 
-from ..stage.looks import FRACTIONS, SPEEDS
+from ..stage.looks import FRACTIONS, SPEEDS, used_rules
 from ..stage.plan import encode_plan
 from ..stage.shapes import meshes
 from ..stage.sketch import Floats, Sketch
@@ -133,6 +133,7 @@ def document(
     """
     every = [early, *scripts] if early else list(scripts)
     assert not any("</script" in script.lower() for script in every)
+    styles = used_rules(styles, "\n".join((body, *every)))
     policy = "; ".join(
         (
             "default-src 'none'",

@@ -7,6 +7,8 @@ here, run `python -m app.stage.looks`, which writes `looks.js`; a test fails if 
 from __future__ import annotations
 
 import json
+import re
+from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -345,6 +347,21 @@ LINK_PATH = PATH
 
 BY_SYSTEM = "@media (prefers-color-scheme: dark){*}"
 """For `style_rules`, on a page that is dark where its system is."""
+
+
+_VARIABLE = re.compile(r"--softrod-([a-z0-9-]+):[^;{}]*;?")
+_USED = re.compile(r"var\(--softrod-([a-z0-9-]+)|[\"'`](?:--softrod-)?([a-z0-9-]+)[\"'`]")
+
+
+def used_rules(styles: Sequence[str], rest: str) -> list[str]:
+    """Styles without the variables that nothing names: a file has only what it uses.
+
+    Args:
+        styles: all of a file's.
+        rest: its other text. A script names a variable by the end of its name, as a text.
+    """
+    used = {name for both in _USED.findall("\n".join((*styles, rest))) for name in both}
+    return [_VARIABLE.sub(lambda match: match[0] if match[1] in used else "", style) for style in styles]
 
 
 def style_rules(dark: str) -> str:

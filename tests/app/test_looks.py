@@ -6,7 +6,13 @@ import re
 
 import pytest
 
+import sim
+from app.export.live.live import live_html
+from app.export.replay import replay_html
+from app.export.teacher_sheet import sheet_html
 from app.stage import looks
+from app.stage.looks import LAYERS, style_rules
+from tests.app.test_html_files import Clip, swing
 from tests.app.test_styles import all_rules
 
 LETTERS = 4.5
@@ -163,3 +169,21 @@ def test_under_a_finger_what_is_pressed_is_higher_and_with_less_motion_nothing_t
     assert heights and all(size == 48 > looks.HEIGHTS[name] for name, size in heights.items())
     (still,) = re.findall(r"@media \(prefers-reduced-motion: reduce\)\{(.*)\}", rules)
     assert dict(re.findall(r"--softrod-(\w+):(\w+)", still)) == dict.fromkeys(looks.TIMES, "0s")
+
+
+@pytest.mark.parametrize("kind", ["live", "replay", "sheet"])
+def test_a_file_has_the_variables_that_it_uses_and_no_others(kind: str) -> None:
+    scene = sim.load_scene("lesson-hooke")
+    moment = sim.Simulation(scene).capture()
+    page = {
+        "live": lambda: live_html(moment)[0],
+        "replay": lambda: replay_html(Clip(swing(sim.load_scene("rope")))),
+        "sheet": lambda: sheet_html(scene),
+    }[kind]().decode()
+    given = set(re.findall(r"--softrod-([a-z0-9-]+):", page))
+    known = set(re.findall(r"--softrod-([a-z0-9-]+):", style_rules("*")))
+    used = set(re.findall(r"var\(--softrod-([a-z0-9-]+)", page)) & known
+    if kind != "sheet":
+        used |= {layer.color for layer in LAYERS.values()}
+    assert used <= given
+    assert "shadow-menu" not in given

@@ -96,7 +96,7 @@ def test_pictures_show_something_and_all_of_it_is_small(presets: Path) -> None:
     }
     pages = [size for name, size in sizes.items() if name.endswith(".html") and name != "index.html"]
     assert max(pages) < 250_000
-    assert sizes["index.html"] < 89_000
+    assert sizes["index.html"] < 88_000
     assert sum(sizes.values()) < 194_000 * len(pages)
 
 
