@@ -450,7 +450,7 @@ def script() -> str:
         "/** Written by `python -m app.stage.looks`; app/stage/looks.py says what each is. */",
     ]
     for name, value in globals().items():
-        if name.isupper() and name not in OF_STYLES:
+        if name.isupper() and not name.startswith("_") and name not in OF_STYLES:
             lines.append(f"export const {name} = {_text(value)};")
     return "\n".join((*lines, ""))
 
