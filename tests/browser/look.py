@@ -13,6 +13,7 @@ from pathlib import Path
 
 from app.bundle import bundle
 from app.pages.sandbox.assets import page_styles
+from app.words import ENGLISH, element
 
 FOLDER = Path(__file__).parent
 
@@ -39,12 +40,14 @@ def page(dark: bool = False) -> str:
     for state, name in STATES.items():
         styles = re.sub(rf":{state}(?![-\w])", f":is(:{state}, .{name})", styles)
     scheme = "dark" if dark else "light"
+    script = bundle(FOLDER / "look.js")
     return "".join(
         (
             f'<!doctype html><html lang="en" data-mantine-color-scheme="{scheme}"><head>',
             '<meta charset="utf-8" /><title>softrod: every control</title>',
             f'<style>{styles}{STYLE}</style></head><body><main class="softrod-panel look"></main>',
-            f'<script type="module">{bundle(FOLDER / "look.js")}</script></body></html>',
+            element(script, ENGLISH),
+            f'<script type="module">{script}</script></body></html>',
         )
     )
 
