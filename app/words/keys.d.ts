@@ -601,10 +601,12 @@ export type Words = {
   "describe-held-most": "count";
   "describe-lies": "width" | "height";
   "describe-lies.all": "width" | "height";
+  "describe-piece": "number" | "side" | "count" | "masses";
   "describe-hangs": "mass" | "depth";
   "describe-still": never;
   "describe-still.away": "length";
   "describe-still.nearly": "length";
+  "describe-still.all": never;
   "describe-moves": "mass" | "way" | "speed";
   "describe-drifts": "whole" | "speed";
   "describe-turns": "sense" | "degrees";

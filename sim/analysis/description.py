@@ -39,6 +39,39 @@ STRAINED = 0.005
 
 
 @dataclass(frozen=True, slots=True)
+class Motion:
+    """Where some masses are and how they move; lengths in px, as the scene has them.
+
+    Attributes:
+        centre: of all of them.
+        drift: (vx, vy) of that, px/s.
+        turning: angular velocity about it, rad/s, counterclockwise as it is drawn; 0 for a single mass.
+        fastest: number of the fastest mass.
+        velocity: of that, px/s.
+        lowest: number of the lowest mass, as it is drawn.
+        hangs: how far that is below the highest held mass, px; None if none is held.
+    """
+
+    centre: tuple[float, float]
+    drift: tuple[float, float]
+    turning: float
+    fastest: int
+    velocity: tuple[float, float]
+    lowest: int
+    hangs: float | None
+
+    @property
+    def speed(self) -> float:
+        """Of the fastest mass, px/s."""
+        return math.hypot(*self.velocity)
+
+    @property
+    def is_still(self) -> bool:
+        """Whether they are at rest."""
+        return self.speed <= STILL
+
+
+@dataclass(frozen=True, slots=True)
 class Piece:
     """Masses that intact springs connect.
 
@@ -49,6 +82,7 @@ class Piece:
         loops: closed ways along springs that are independent of each other.
         held: the numbers of those that are held.
         sides: where each of `held` is in the piece.
+        motion: of its masses.
     """
 
     shape: Shape
@@ -58,6 +92,7 @@ class Piece:
     loops: int
     held: tuple[int, ...]
     sides: tuple[Side, ...]
+    motion: Motion
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,13 +103,7 @@ class Description:
         time: s.
         pieces: the largest first.
         box: xmin, ymin, xmax, ymax of the masses.
-        centre: of all masses.
-        drift: (vx, vy) of that, px/s.
-        turning: angular velocity about it, rad/s, counterclockwise as it is drawn; 0 for a single mass.
-        fastest: number of the fastest mass.
-        velocity: of that, px/s.
-        lowest: number of the lowest mass, as it is drawn.
-        hangs: how far that is below the highest held mass, px; None if none is held.
+        motion: of all masses.
         stretched, squeezed: the spring with the largest strain, and that with the smallest, with the strain;
             None where no spring has one.
         broken, yielded: how many springs; `yielded` counts joints, too.
@@ -84,28 +113,12 @@ class Description:
     time: float
     pieces: tuple[Piece, ...]
     box: tuple[float, float, float, float]
-    centre: tuple[float, float]
-    drift: tuple[float, float]
-    turning: float
-    fastest: int
-    velocity: tuple[float, float]
-    lowest: int
-    hangs: float | None
+    motion: Motion
     stretched: tuple[int, float] | None
     squeezed: tuple[int, float] | None
     broken: int
     yielded: int
     touching: int
-
-    @property
-    def speed(self) -> float:
-        """Of the fastest mass, px/s."""
-        return math.hypot(*self.velocity)
-
-    @property
-    def is_still(self) -> bool:
-        """Whether it is at rest."""
-        return self.speed <= STILL
 
 
 def describe(simulation: Moving, scene: Scene) -> Description:
@@ -117,35 +130,62 @@ def describe(simulation: Moving, scene: Scene) -> Description:
     """
     system, state = simulation.tables
     index = system.mass_index
-    up = -1.0 if scene.view.y_down else 1.0
     x, v = state.x[index] + 1j * state.y[index], state.vx[index] + 1j * state.vy[index]
     mass = system.body.environment.mass[index]
-    held = {anchor.mass for anchor in scene.anchors}
     broken = broken_springs(simulation, scene)
-    centre, drift = complex(mass @ x / mass.sum()), complex(mass @ v / mass.sum())
-    inertia = float(mass @ np.abs(x - centre) ** 2)
-    spin = float((mass * ((x - centre).conj() * (v - drift)).imag).sum())
-    fastest, height = int(np.abs(v).argmax()), up * x.imag
-    lowest = int(height.argmin())
-    top = max((float(height[m]) for m in held), default=None)
     strains = _strains(simulation, scene, broken)
+    bodies = _Masses(
+        x, v, mass, {anchor.mass for anchor in scene.anchors}, -1.0 if scene.view.y_down else 1.0
+    )
     return Description(
         time=simulation.time,
-        pieces=_pieces(scene, broken, held, x, up),
+        pieces=_pieces(scene, broken, bodies),
         box=(x.real.min(), x.imag.min(), x.real.max(), x.imag.max()),
-        centre=(centre.real, centre.imag),
-        drift=(drift.real, drift.imag),
-        turning=up * spin / inertia if inertia > 0.0 else 0.0,
-        fastest=fastest,
-        velocity=(v[fastest].real, v[fastest].imag),
-        lowest=lowest,
-        hangs=None if top is None else top - float(height[lowest]),
+        motion=bodies.motion(np.arange(len(x))),
         stretched=_largest(strains, 1.0),
         squeezed=_largest(strains, -1.0),
         broken=int(broken.sum()),
         yielded=int(np.count_nonzero(state.set_length) + np.count_nonzero(state.set_angle)),
         touching=int(np.any([force != 0.0 for force in touches(simulation).values()], axis=0).sum()),
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Masses:
+    """All masses of a scene, in its order.
+
+    Attributes:
+        x, v: (n,) places, px, and velocities, px/s, as complex numbers.
+        mass: (n,) kg.
+        held: the numbers of those that are held.
+        up: the sign of y upwards, as it is drawn.
+    """
+
+    x: NDArray[np.complex128]
+    v: NDArray[np.complex128]
+    mass: Floats
+    held: set[int]
+    up: float
+
+    def motion(self, numbers: NDArray[np.int64]) -> Motion:
+        """How some of them move, by their numbers."""
+        x, v, mass = self.x[numbers], self.v[numbers], self.mass[numbers]
+        centre, drift = complex(mass @ x / mass.sum()), complex(mass @ v / mass.sum())
+        inertia = float(mass @ np.abs(x - centre) ** 2)
+        spin = float((mass * ((x - centre).conj() * (v - drift)).imag).sum())
+        fastest, height = int(np.abs(v).argmax()), self.up * x.imag
+        lowest = int(height.argmin())
+        own = self.held.intersection(numbers.tolist())
+        top = max((self.up * float(self.x[m].imag) for m in own), default=None)
+        return Motion(
+            centre=(centre.real, centre.imag),
+            drift=(drift.real, drift.imag),
+            turning=self.up * spin / inertia if inertia > 0.0 else 0.0,
+            fastest=int(numbers[fastest]),
+            velocity=(v[fastest].real, v[fastest].imag),
+            lowest=int(numbers[lowest]),
+            hangs=None if top is None else top - float(height[lowest]),
+        )
 
 
 def broken_springs(simulation: Moving, scene: Scene) -> NDArray[np.bool_]:
@@ -189,9 +229,7 @@ def touches(simulation: Moving) -> dict[str, NDArray[np.complex128]]:
 
 
 # ------------------------------------------------------------------------- pieces
-def _pieces(
-    scene: Scene, broken: NDArray[np.bool_], held: set[int], x: NDArray[np.complex128], up: float
-) -> tuple[Piece, ...]:
+def _pieces(scene: Scene, broken: NDArray[np.bool_], bodies: _Masses) -> tuple[Piece, ...]:
     """The pieces, those with most masses first, then by their first mass."""
     ends = [(s.a, s.b) for s, gone in zip(scene.linear_springs, broken, strict=True) if not gone]
     part = _connected(len(scene.masses), ends)
@@ -206,7 +244,7 @@ def _pieces(
     found = []
     for first in np.unique(part):
         masses = np.flatnonzero(part == first)
-        lines, own = int(springs[first]) if ends else 0, sorted(held.intersection(masses.tolist()))
+        lines, own = int(springs[first]) if ends else 0, sorted(bodies.held.intersection(masses.tolist()))
         most = int(degree[masses].max())
         loops = lines - masses.size + 1
         found.append(
@@ -217,7 +255,8 @@ def _pieces(
                 joints=int(turning[first]),
                 loops=loops,
                 held=tuple(own),
-                sides=tuple(_sides(x[masses], x[own], up)),
+                sides=tuple(_sides(bodies.x[masses], bodies.x[own], bodies.up)),
+                motion=bodies.motion(masses),
             )
         )
     return tuple(sorted(found, key=lambda piece: (-len(piece.masses), piece.masses[0])))

@@ -86,6 +86,37 @@ def test_a_held_mass_a_mass_in_hand_and_one_without_springs_are_told_apart() -> 
     assert "It is in your hand." in said(page)
 
 
+def test_each_of_several_bodies_is_described_by_its_place() -> None:
+    cradle = sim.load_scene("cradle")
+    simulation = sim.Simulation(cradle)
+    simulation.step(300)
+    x, v = simulation.positions, simulation.velocities
+    bodies = paragraph(describe(simulation, cradle), cradle).split("Body ")[1:]
+    assert len(bodies) == 5
+    for i, said in enumerate(bodies):
+        assert said.startswith(f"{i + 1} from the left consists of masses {2 * i} and {2 * i + 1}.")
+        found = re.search(r"Its lowest mass, (\d+), is ([\d.]+) px below", said)
+        assert found
+        assert int(found[1]) == 2 * i + 1
+        assert float(found[2]) == pytest.approx(x[2 * i + 1, 1] - x[2 * i, 1], rel=0.02)
+        fastest = re.search(r"moves to the right at ([\d.]+) px/s", said)
+        assert (fastest is None) == ("It is at rest." in said) == (i > 0)
+        if fastest:
+            assert float(fastest[1]) == pytest.approx(math.hypot(*v[1]), rel=0.02)
+    # One above the other they are told from the top.
+    modes = sim.load_scene("lesson-modes")
+    text = paragraph(describe(sim.Simulation(modes), modes), modes)
+    assert re.findall(r"Body (\d) from the top consists of masses ([\d–]+)\.", text) == [
+        ("1", "0–20"), ("2", "21–41"), ("3", "42–62"),
+    ]  # fmt: skip
+    # That nothing moves is said once.
+    hooke = sim.load_scene("lesson-hooke")
+    text = paragraph(describe(sim.Simulation(hooke), hooke), hooke)
+    assert text.count("Body ") == 2
+    assert text.count("Nothing moves.") == 1
+    assert "at rest" not in text
+
+
 def test_muscles_motors_and_forces_are_said() -> None:
     worm = sim.load_scene("worm")
     simulation = sim.Simulation(worm)
@@ -144,11 +175,12 @@ def test_a_body_that_swings_by_less_than_one_length_is_nearly_at_rest() -> None:
     scene = sim.load_scene("rope")
     simulation = sim.Simulation(scene)
     rest = Modes(scene, 1).rest
-    found = dataclasses.replace(describe(simulation, scene), velocity=(0.0, 2.0))
+    found = describe(simulation, scene)
+    found = dataclasses.replace(found, motion=dataclasses.replace(found.motion, velocity=(0.0, 2.0)))
     assert "It is nearly at rest" in paragraph(found, scene, swing_of(found, scene, rest))
     # Where it turns back it is slow, and not at rest.
     assert "moves down at 2 px/s" in paragraph(found, scene, swing_of(found, scene, rest + 5.0))
-    fast = dataclasses.replace(found, velocity=(0.0, 20.0))
+    fast = dataclasses.replace(found, motion=dataclasses.replace(found.motion, velocity=(0.0, 20.0)))
     assert "moves down at 20 px/s" in paragraph(fast, scene, swing_of(fast, scene, rest))
 
 

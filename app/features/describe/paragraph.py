@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sim.analysis.description import Description, Piece, Shape, direction
+from sim.analysis.description import Description, Motion, Piece, Shape, direction
 from sim.analysis.modes import Modes
 from sim.errors import InputError, SceneError
 from sim.scene.types import Scene
@@ -22,6 +22,10 @@ MOST_SWINGING = 300
 
 _MANY = 6
 """Held masses that are listed, at most."""
+_EACH = 8
+"""Bodies of a scene that are described one by one, at most."""
+_RUN = 3
+"""Masses in a row from which on only the first and the last of them are named."""
 _UNHEARD = 0.01
 """Part of the box by which something must have moved to be said."""
 _SLOW = 0.5
@@ -109,9 +113,12 @@ def _sentences(
             yield say("describe-lies.all", width=width, height=height)
         else:
             yield say("describe-lies", width=width, height=height)
-    if found.hangs is not None and found.hangs > _UNHEARD * (top - bottom) > 0.0:
-        yield say("describe-hangs", mass=str(found.lowest), depth=f"{number(found.hangs)} {unit}")
-    yield from _motion(found, swing, unit, up)
+    told = [piece for piece in found.pieces if len(piece.masses) > len(piece.held)]
+    if 1 < len(told) <= _EACH:
+        yield from _each(told, found, unit, up)
+    else:
+        yield from _hangs(found.motion, top - bottom, unit)
+        yield from _motion(found.motion, swing, unit, up)
     if found.stretched is not None:
         spring, strain = found.stretched
         yield say("describe-stretched", spring=str(spring), percent=number(100.0 * strain))
@@ -173,26 +180,62 @@ def way_in_words(vector: tuple[float, float], up: float) -> str:
     return say("describe-way", way=_WAYS[round(direction(vector, up) / 45.0) % 8])
 
 
-def _motion(found: Description, swing: Swing | None, unit: str, up: float) -> Iterator[str]:
-    if found.is_still and swing is not None and swing.away >= _NEARLY:
+def _each(pieces: list[Piece], found: Description, unit: str, up: float) -> Iterator[str]:
+    """How each of several pieces lies and moves, in the order in which they lie."""
+    centres = np.array([piece.motion.centre for piece in pieces])
+    across, upward = np.ptp(centres, axis=0)
+    places = centres[:, 0] if across >= upward else -up * centres[:, 1]
+    height = found.box[3] - found.box[1]
+    for i, at in enumerate(np.argsort(places, kind="stable"), start=1):
+        motion = pieces[at].motion
+        said = list(_hangs(motion, height, unit))
+        if not found.motion.is_still:
+            said.extend(_motion(motion, None, unit, up))
+        side = "left" if across >= upward else "top"
+        masses = pieces[at].masses
+        yield say("describe-piece", number=str(i), side=side, count=len(masses), masses=_runs(masses))
+        yield from said
+    if found.motion.is_still:
+        yield say("describe-still.all")
+
+
+def _runs(masses: tuple[int, ...]) -> str:
+    """Numbers of masses, such as "0–9 and 12"; they ascend."""
+    runs: list[list[int]] = []
+    for mass in masses:
+        if runs and mass == runs[-1][-1] + 1:
+            runs[-1].append(mass)
+        else:
+            runs.append([mass])
+    parts = ([f"{run[0]}–{run[-1]}"] if len(run) >= _RUN else map(str, run) for run in runs)
+    return listed([text for part in parts for text in part])
+
+
+def _hangs(motion: Motion, height: float, unit: str) -> Iterator[str]:
+    if motion.hangs is not None and motion.hangs > _UNHEARD * height > 0.0:
+        yield say("describe-hangs", mass=str(motion.lowest), depth=f"{number(motion.hangs)} {unit}")
+
+
+def _motion(motion: Motion, swing: Swing | None, unit: str, up: float) -> Iterator[str]:
+    if motion.is_still and swing is not None and swing.away >= _NEARLY:
         yield say("describe-still.away", length=f"{number(swing.away)} {unit}")
         return
-    if found.is_still:
+    if motion.is_still:
         yield say("describe-still")
         return
-    if swing is not None and max(swing.away, found.speed * swing.period / math.tau) < _NEARLY:
+    if swing is not None and max(swing.away, motion.speed * swing.period / math.tau) < _NEARLY:
         yield say("describe-still.nearly", length=f"{number(_NEARLY)} {unit}")
         return
     yield say(
         "describe-moves",
-        mass=str(found.fastest),
-        way=way_in_words(found.velocity, up),
-        speed=f"{number(found.speed)} {unit}/s",
+        mass=str(motion.fastest),
+        way=way_in_words(motion.velocity, up),
+        speed=f"{number(motion.speed)} {unit}/s",
     )
-    drift = math.hypot(*found.drift)
-    if drift > 0.1 * found.speed:
-        yield say("describe-drifts", whole=way_in_words(found.drift, up), speed=f"{number(drift)} {unit}/s")
-    degrees = math.degrees(found.turning)
+    drift = math.hypot(*motion.drift)
+    if drift > 0.1 * motion.speed:
+        yield say("describe-drifts", whole=way_in_words(motion.drift, up), speed=f"{number(drift)} {unit}/s")
+    degrees = math.degrees(motion.turning)
     if abs(degrees) >= _SLOW:
         sense = "counterclockwise" if degrees > 0.0 else "clockwise"
         yield say("describe-turns", sense=sense, degrees=number(abs(degrees)))
@@ -206,7 +249,8 @@ def _changes(found: Description, before: Description, unit: str, up: float) -> I
         else:
             yield say("describe-built")
         return
-    way = found.centre[0] - before.centre[0], found.centre[1] - before.centre[1]
+    (x, y), (old_x, old_y) = found.motion.centre, before.motion.centre
+    way = x - old_x, y - old_y
     size = max(found.box[2] - found.box[0], found.box[3] - found.box[1])
     if found.broken > before.broken:
         yield say("describe-broke", count=found.broken - before.broken)

@@ -152,11 +152,19 @@ describe-held-most = عدد الكتل المثبتة { $count }.
 
 describe-lies = عرض الجسم { $width } وارتفاعه { $height }.
     .all = عرض الكل معًا { $width } وارتفاعه { $height }.
+describe-piece = الجسم رقم { $number } من { $side ->
+    [top] الأعلى
+   *[left] اليسار
+} يتكون من { $count ->
+    [one] الكتلة
+   *[other] الكتل
+} { $masses }.
 describe-hangs = أخفض كتلة فيه هي الكتلة { $mass }، وتقع تحت أعلى كتلة مثبتة بمقدار { $depth }.
 
 describe-still = الجسم ساكن.
     .away = الجسم لا يتحرك الآن، وهو على بعد { $length } من موضع سكونه.
     .nearly = الجسم شبه ساكن: يتذبذب بأقل من { $length }.
+    .all = لا شيء يتحرك.
 describe-moves = أسرع كتلة فيه هي الكتلة { $mass }، وتتحرك { $way } بسرعة { $speed }.
 describe-drifts = يتحرك الجسم ككل { $whole } بسرعة { $speed }.
 describe-turns = يدور { $sense ->

@@ -103,11 +103,19 @@ describe-held-most = { $count } Massen sind festgehalten.
 
 describe-lies = Der Körper ist { $width } breit und { $height } hoch.
     .all = Alles zusammen ist { $width } breit und { $height } hoch.
+describe-piece = Körper { $number } von { $side ->
+    [top] oben
+   *[left] links
+} besteht aus { $count ->
+    [one] der Masse
+   *[other] den Massen
+} { $masses }.
 describe-hangs = Seine tiefste Masse, { $mass }, liegt { $depth } unter der höchsten festgehaltenen.
 
 describe-still = Er ist in Ruhe.
     .away = Er bewegt sich gerade nicht, { $length } von seiner Ruhelage entfernt.
     .nearly = Er ist fast in Ruhe: Er schwingt um weniger als { $length }.
+    .all = Nichts bewegt sich.
 describe-moves = Seine schnellste Masse, { $mass }, bewegt sich { $way } mit { $speed }.
 describe-drifts = Als Ganzes bewegt er sich { $whole } mit { $speed }.
 describe-turns = Er dreht sich { $sense ->

@@ -90,12 +90,21 @@ describe-held-most = { $count } masses are held.
 # How it lies: lengths with their unit; all: of several pieces.
 describe-lies = It is { $width } wide and { $height } high.
     .all = Together they are { $width } wide and { $height } high.
+# One of several bodies, by its place among them; $masses is a list of $count numbers. What is said of one body follows it.
+describe-piece = Body { $number } from the { $side ->
+    [top] top
+   *[left] left
+} consists of { $count ->
+    [one] mass
+   *[other] masses
+} { $masses }.
 describe-hangs = Its lowest mass, { $mass }, is { $depth } below the highest one that is held.
 
 # How it moves: speeds with their unit. { $way } and { $whole } are directions, see describe-way.
 describe-still = It is at rest.
     .away = It does not move now, { $length } away from its rest.
     .nearly = It is nearly at rest: it swings by less than { $length }.
+    .all = Nothing moves.
 describe-moves = Its fastest mass, { $mass }, moves { $way } at { $speed }.
 describe-drifts = As a whole it moves { $whole } at { $speed }.
 describe-turns = It turns { $sense ->

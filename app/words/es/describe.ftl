@@ -103,11 +103,19 @@ describe-held-most = Hay { $count } masas fijas.
 
 describe-lies = Mide { $width } de ancho y { $height } de alto.
     .all = Todo junto mide { $width } de ancho y { $height } de alto.
+describe-piece = El cuerpo { $number } desde { $side ->
+    [top] arriba
+   *[left] la izquierda
+} consta de { $count ->
+    [one] la masa
+   *[other] las masas
+} { $masses }.
 describe-hangs = Su masa más baja, la { $mass }, está { $depth } por debajo de la masa fija más alta.
 
 describe-still = Está en reposo.
     .away = Ahora no se mueve, a { $length } de su reposo.
     .nearly = Está casi en reposo: oscila menos de { $length }.
+    .all = Nada se mueve.
 describe-moves = Su masa más rápida, la { $mass }, se mueve { $way } a { $speed }.
 describe-drifts = En conjunto se mueve { $whole } a { $speed }.
 describe-turns = Gira { $sense ->

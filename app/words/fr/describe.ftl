@@ -103,11 +103,19 @@ describe-held-most = { $count } masses sont fixées.
 
 describe-lies = L’objet mesure { $width } de large et { $height } de haut.
     .all = Le tout mesure { $width } de large et { $height } de haut.
+describe-piece = L’objet { $number } en partant { $side ->
+    [top] du haut
+   *[left] de la gauche
+} est fait { $count ->
+    [one] de la masse
+   *[other] des masses
+} { $masses }.
 describe-hangs = La masse { $mass }, la plus basse, est { $depth } plus bas que la plus haute des masses fixées.
 
 describe-still = L’objet est au repos.
     .away = L’objet ne bouge pas en ce moment, à { $length } de son repos.
     .nearly = L’objet est presque au repos : il oscille de moins de { $length }.
+    .all = Rien ne bouge.
 describe-moves = La masse { $mass }, la plus rapide, se déplace { $way } à { $speed }.
 describe-drifts = Dans l’ensemble, l’objet se déplace { $whole } à { $speed }.
 describe-turns = Il tourne { $sense ->

@@ -65,11 +65,19 @@ describe-held-most = { $count } kütle sabitlenmiş.
 
 describe-lies = Genişliği { $width }, yüksekliği { $height }.
     .all = Hepsinin genişliği { $width }, yüksekliği { $height }.
+describe-piece = { $side ->
+    [top] Yukarıdan
+   *[left] Soldan
+} { $number }. cisim { $masses } numaralı { $count ->
+    [one] kütleden
+   *[other] kütlelerden
+} oluşuyor.
 describe-hangs = En alttaki kütlesi, { $mass } numaralı olan, sabitlenmişlerin en yükseğinden { $depth } aşağıda.
 
 describe-still = Cisim hareketsiz.
     .away = Şu an hareket etmiyor; denge konumundan { $length } uzakta.
     .nearly = Cisim neredeyse hareketsiz: { $length } değerinden az salınıyor.
+    .all = Hiçbir şey hareket etmiyor.
 describe-moves = En hızlı kütlesi, { $mass } numaralı olan, { $way } { $speed } süratle hareket ediyor.
 describe-drifts = Cisim bütün olarak { $whole } { $speed } süratle hareket ediyor.
 describe-turns = { $sense ->
