@@ -19,7 +19,7 @@ from sim.text import Text
 
 from .session.ghost import REFERENCE
 from .session.plots import Plot, parse_plot
-from .words import decimal, joined, say, upright
+from .words import decimal, joined, number, say, upright
 from .words.keys import Key
 from .words.quantities import quantity_of
 from .words.settings import label_of, label_of_choice, options_of
@@ -54,10 +54,10 @@ def check_lesson(scene: sim.Scene) -> None:
         SettingError: something cannot be set, or has no slider; names the field.
         InputError: something cannot be plotted, compared or measured; names the field.
     """
-    for number, step in enumerate(scene.lesson.steps if scene.lesson else ()):
-        place = f"lesson.steps[{number}]"
-        scene_of_run(scene, number)
-        scene = scene_of_step(scene, number)
+    for at, step in enumerate(scene.lesson.steps if scene.lesson else ()):
+        place = f"lesson.steps[{at}]"
+        scene_of_run(scene, at)
+        scene = scene_of_step(scene, at)
         for i, key in enumerate(step.controls):
             if key not in CHOICES or not CHOICES[key].applies(scene):
                 with _at(f"{place}.controls[{i}]"):
@@ -133,10 +133,10 @@ def quantity_text(name: str) -> str:
 
 
 def plot_in_words(text: str) -> str:
-    """A plot in words, as in "x of mass 1, x of mass 3 over the time"."""
+    """A plot in words, as in "x of mass 1, x of mass 3 over y of mass 1"."""
     spec = parse_plot(text)
     names = joined(map(quantity_text, spec.names))
-    return f"{names} {say('measure-over-one', over=quantity_text(spec.over))}" if spec.over else names
+    return say("measure-title-over", quantity=names, over=quantity_text(spec.over)) if spec.over else names
 
 
 def reading_text(reading: Reading, scene: sim.Scene | None = None) -> str:
@@ -166,14 +166,14 @@ def reading_unit(reading: Reading, scene: sim.Scene) -> str:
 def goal_text(goal: Goal, scene: sim.Scene) -> str:
     """A goal in words, as in "period of mass1.y: 1.98 to 2.02 s"."""
     unit, text = reading_unit(goal, scene), reading_text(goal, scene)
-    low, high = ("" if bound is None else decimal(f"{bound:.6g}") for bound in (goal.low, goal.high))
+    low, high = ("" if bound is None else number(bound, 6) for bound in (goal.low, goal.high))
     if low and high:
         said = say("goal-between", reading=text, low=low, high=f"{high} {unit}".rstrip())
     elif low:
         said = say("goal-least", reading=text, low=f"{low} {unit}".rstrip())
     else:
         said = say("goal-most", reading=text, high=f"{high} {unit}".rstrip())
-    return say("goal-held", goal=said, seconds=decimal(f"{goal.seconds:g}")) if goal.seconds else said
+    return say("goal-held", goal=said, seconds=number(goal.seconds, 6)) if goal.seconds else said
 
 
 def run_text(run: StepRun, scene: sim.Scene) -> str:
@@ -198,8 +198,8 @@ def run_text(run: StepRun, scene: sim.Scene) -> str:
     said += (say("run-pull", mass=str(pull.mass), way=_way(pull.by, scene)) for pull in few)
     for circle in dict.fromkeys(one.circle for one in run.leads):
         led = [str(one.mass) for one in run.leads if one.circle == circle]
-        radius = decimal(f"{circle.radius:g} {scene.view.unit}")
-        times = decimal(f"{circle.frequency:g}")
+        radius = f"{number(circle.radius, 6)} {scene.view.unit}"
+        times = number(circle.frequency, 6)
         said.append(say("run-led", count=len(led), masses=joined(led), radius=radius, times=times))
     resting = [str(one.joint) for one in run.muscles if not (one.muscle and one.muscle.amplitude)]
     if resting:
@@ -214,7 +214,7 @@ def _way(by: tuple[float, float], scene: sim.Scene) -> str:
     across, down = by[0], by[1] if scene.view.y_down else -by[1]
 
     def length(by: float) -> str:
-        size = str(round(abs(by))) if abs(by) >= 1.0 else decimal(f"{abs(by):g}")
+        size = str(round(abs(by))) if abs(by) >= 1.0 else number(abs(by), 6)
         return f"{size} {scene.view.unit}"
 
     one = say("run-way.right" if across > 0.0 else "run-way.left", length=length(across))

@@ -20,7 +20,7 @@ from sim.scene.lesson import Step
 from sim.scene.types import Damage
 
 from ..wire.messages import AnswerKind
-from ..words import decimal, joined, say
+from ..words import joined, number, say
 from ..words.english import of
 
 MAX_LINE_LENGTH = 140
@@ -232,7 +232,7 @@ class Work(Content, frozen=True):
     def words(self) -> str:
         """See `Content`."""
         goal = "" if self.reached is None else say("class-at-goal" if self.reached else "class-not-at-goal")
-        found = "" if self.found is None else decimal(f"{self.found:.4g}")
+        found = "" if self.found is None else number(self.found, 4)
         return joined((found, goal))
 
     def checked(self, scene: sim.Scene, step: Step | None) -> Self:

@@ -10,7 +10,7 @@ import sim
 from sim.settings import SETTINGS
 
 from ..words import decimal, find, say
-from ..words.english import of
+from ..words.english import of, sentence
 from ..words.keys import Key
 
 About = Literal["runaway", "shape"]
@@ -59,8 +59,7 @@ def runaway_notice(divergence: sim.Divergence, scene: sim.Scene) -> Notice:
 
 def shape_notice(error: sim.DesignError) -> Notice:
     """The notice that a body cannot keep its shape."""
-    why = of(error.sentence)
-    why = why[:1].upper() + why[1:]
+    why = sentence(of(error.sentence))
     if error.stiffening is None:
         text = say("session-shape.text" if error.motion is None else "session-shape.line", why=why)
     else:

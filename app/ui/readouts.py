@@ -20,8 +20,8 @@ from ..session.ghost import REFERENCE, Ghost
 from ..session.session import Session
 from ..stage.colors import Palette
 from ..stage.plan import broken_of, yielded_of
-from ..words import decimal, find, joined, say
-from ..words.english import of
+from ..words import decimal, find, joined, number, say
+from ..words.english import of, sentence
 from ..words.keys import Key
 from ..words.settings import label_of_choice, options_of
 
@@ -183,8 +183,8 @@ def reading(session: Session, mass: int, joint: int | None) -> tuple[str, dict[s
 
 def _tenths(value: float, unit: str) -> str:
     """A value with its unit; zero has no sign."""
-    number = decimal(f"{round(value, 1) + 0.0:.1f}".replace("-", "−"))
-    return f"{number}{'' if unit == '°' else ' '}{unit}"
+    said = decimal(f"{round(value, 1) + 0.0:.1f}".replace("-", "−"))
+    return f"{said}{'' if unit == '°' else ' '}{unit}"
 
 
 def table(rows: dict[str, str]) -> str:
@@ -268,7 +268,7 @@ def tuning_table(
         rows[say("tuning-fastest")] = _vibration(found.fastest)
     if found.sag is not None:
         pull = say("tuning-sag") if any(scene.gravity) else say("tuning-sag.loads")
-        sag = decimal(f"{found.sag:.3g}") + f" {html.escape(scene.view.unit)}"
+        sag = f"{number(found.sag)} {html.escape(scene.view.unit)}"
         rows[pull] = say("tuning-sag.value", sag=sag, mass=str(found.sag_mass))
     for method, step in found.stable_steps.items():
         limit = say("tuning-stable", step=decimal(f"{1e3 * step:.3g}"))
@@ -283,8 +283,8 @@ def tuning_table(
         if effects := _effects(one, found.sag, html.escape(scene.view.unit)):
             rows[say(_MORE[one.key])] = effects
     notes = "".join(
-        f'<div class="softrod-text softrod-about">{html.escape(note[:1].upper() + note[1:])}.</div>'
-        for note in map(of, found.notes)
+        f'<div class="softrod-text softrod-about">{html.escape(sentence(of(note)))}</div>'
+        for note in found.notes
     )
     return table(rows) + notes
 
@@ -343,8 +343,8 @@ def ghost_table(session: Session) -> str:
     unit = html.escape(session.scene.view.unit)
     rows = {
         say("ghost-title"): html.escape(ghost_name(ghost)),
-        say("ghost-distance"): decimal(f"{ghost.distance:.3g}") + f" {unit}",
-        say("ghost-worst"): decimal(f"{ghost.worst:.3g}") + f" {unit}",
+        say("ghost-distance"): f"{number(ghost.distance)} {unit}",
+        say("ghost-worst"): f"{number(ghost.worst)} {unit}",
         say("ghost-solver"): decimal(f"{1e3 * ghost.cost:.3f} ms"),
     }
     if session.predictability is not None and session.predictability.growth is not None:

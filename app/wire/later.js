@@ -24,15 +24,15 @@ export function hearLater(kinds, asks, load) {
     if (isLoading || !asks(message)) return;
     isLoading = true;
     try {
-      const loaded = await load();
-      hear = loaded;
-      for (const each of before.values()) loaded(each);
-      before.clear();
+      hear = await load();
     } catch {
-      // The server cannot be reached; the next message tries again.
+      return; // The server cannot be reached; the next message tries again.
     } finally {
       isLoading = false;
     }
+    // Each by itself, so that a fault with one is reported and costs no other.
+    for (const each of before.values()) void Promise.resolve(each).then(hear);
+    before.clear();
   };
   for (const kind of kinds) {
     onMessage(kind, (message) => {

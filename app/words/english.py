@@ -10,8 +10,8 @@ with English texts and what they are in that language. Of a sentence it is the t
 
 from __future__ import annotations
 
+import re
 import string
-from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -31,6 +31,10 @@ SCENES = "scenes"
 
 SIM = "sim.json"
 """The file of a language with the sentences of `sim`."""
+
+
+_WORD = re.compile(r"[^\W\d_]+(?![\w.(\[=])")
+"""A word, and no address of a part, as in ``mass3.y``."""
 
 
 @cache
@@ -60,11 +64,6 @@ def read(path: Path) -> dict[str, str]:
 class _Filled(string.Formatter):
     """Fills a template with texts and numbers as the language writes them."""
 
-    def parse(self, format_string: str) -> Iterable[tuple[str, str | None, str | None, str | None]]:
-        """Yield the template's pieces, see `string.Formatter`."""
-        for literal, name, form, conversion in super().parse(format_string):
-            yield pseudo(literal) if language() == PSEUDO else literal, name, form, conversion
-
     def convert_field(self, value: Any, conversion: str | None) -> Any:
         """See `string.Formatter`; a text in a place is said in the same language."""
         said = of(value) if isinstance(value, Text) else value
@@ -80,21 +79,50 @@ class _Filled(string.Formatter):
         return decimal(text) if isinstance(value, float) else text
 
 
+def _pseudo_template(template: str) -> str:
+    """A template whose text is in pseudo-English."""
+    pieces = []
+    for literal, name, form, conversion in string.Formatter().parse(template):
+        pieces.append(pseudo(literal).replace("{", "{{").replace("}", "}}"))
+        if name is not None:
+            how = (f"!{conversion}" if conversion else "") + (f":{form}" if form else "")
+            pieces.append(f"{{{name}{how}}}")
+    return "".join(pieces)
+
+
 def of(text: str) -> str:
     """A text in the language that is spoken now; as it is if the language has no other."""
     tag = language()
     if tag == ENGLISH:
         return str.__str__(text)
     if isinstance(text, Text):
-        template = catalogue(tag).get(text.template, text.template)
+        own = catalogue(tag).get(text.template, text.template)
+        template = _pseudo_template(own) if tag == PSEUDO else own
         return _Filled().vformat(template, (), text.parts)
     return pseudo(text) if tag == PSEUDO else catalogue(tag).get(text, text)
 
 
 def refusal(error: Exception) -> str:
-    """What an error says, as a sentence with a capital letter and a full stop."""
-    text = of(str(error))
-    return f"{text[:1].upper()}{text[1:]}{'' if text.endswith(('.', '?', '؟')) else '.'}"
+    """What an error says, as a sentence."""
+    return sentence(of(str(error)))
+
+
+def without_field(text: str, field: str) -> str:
+    """A refusal in the language that is spoken now, without the field that stands before it.
+
+    Args:
+        text: the refusal, of the kind ``lesson.steps[0].title: it must not be empty``.
+        field: as it stands there, without the colon; languages differ in the space before that.
+    """
+    return re.sub(rf"{re.escape(field)}\s*:\s*", "", of(text), count=1)
+
+
+def sentence(text: str) -> str:
+    """A text with a capital letter and a full stop; a name or an address at its beginning stays as it is."""
+    first = text[:1]
+    if _WORD.match(text):
+        first = "İ" if first == "i" and language() == "tr" else first.upper()
+    return f"{first}{text[1:]}{'' if text.endswith(('.', '?', '؟')) else '.'}"
 
 
 def name_of(scene: Scene) -> str:

@@ -1291,7 +1291,6 @@ export type Words = {
   "measure-title-spectrum": "quantity";
   "measure-title-over": "quantity" | "over";
   "measure-range": "quantity" | "now" | "low" | "high";
-  "measure-over-one": "over";
   "measure-still": never;
   "measure-swing": "quantity" | "period" | "amplitude";
   "measure-swing.loses": "quantity" | "period" | "amplitude" | "percent";

@@ -1293,7 +1293,6 @@ Key = Literal[
     "measure-title-spectrum",
     "measure-title-over",
     "measure-range",
-    "measure-over-one",
     "measure-still",
     "measure-swing",
     "measure-swing.loses",

@@ -114,7 +114,7 @@ def quoted(text: str) -> str:
 
 def number(value: float, digits: int = 3) -> str:
     """A number with some significant digits at most, as the language that is spoken now writes it."""
-    rounded = float(f"{value:.{digits}g}")
+    rounded = float(f"{value:.{digits}g}") + 0.0  # no -0
     return format_decimal(rounded, "#0.############", _locale(_now.get()))
 
 

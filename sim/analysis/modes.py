@@ -188,6 +188,15 @@ class Modes:
         touching = sum(strained[name] for name in _TOUCHING)
         return Excitation(q, rate, energies, whole, above - whole - float(energies.sum()), touching, frames)
 
+    def away(self, positions: Floats) -> Floats:
+        """Return how far each mass is from its place at rest, px, in frames moving with the parts.
+
+        Args:
+            positions: (n, 2) px.
+        """
+        displacements, *_ = self._local(positions, np.zeros_like(positions))
+        return np.hypot(*displacements.T)
+
     def amplitude_of(self, mode: int, energy: float) -> float:
         """Return the amplitude, px, of a mode with an energy in kg px²/s²."""
         return float(np.sqrt(2.0 * energy / self.masses[mode]) / self.omega[mode])

@@ -7,6 +7,7 @@ import math
 import re
 import time
 
+import numpy as np
 import pytest
 
 import sim
@@ -192,3 +193,28 @@ def test_a_body_that_is_not_let_go_yet_is_not_at_rest() -> None:
     away = re.search(r"It does not move now, ([\d.]+) px away from its rest\.", told)
     assert away, told
     assert float(away[1]) == pytest.approx(max(map(math.hypot, *(simulation.positions - rest).T)), rel=0.02)
+
+
+def test_a_body_that_floats_is_away_from_its_rest_by_its_deformation_alone() -> None:
+    dumbbell = sim.Scene(
+        name="dumbbell",
+        masses=(sim.Mass(position=(0.0, 0.0)), sim.Mass(position=(100.0, 0.0))),
+        linear_springs=(sim.LinearSpring(a=0, b=1, stiffness=1000.0, rest_length=100.0),),
+    )
+    found = describe(sim.Simulation(dumbbell), dumbbell)
+    turned = np.array([[200.0, 50.0], [200.0, 150.0]])
+    assert "It is at rest." in paragraph(found, dumbbell, swing_of(found, dumbbell, turned))
+    longer = turned + [[0.0, -5.0], [0.0, 5.0]]
+    assert "It does not move now, 5 px away from its rest." in paragraph(
+        found, dumbbell, swing_of(found, dumbbell, longer)
+    )
+
+
+def test_a_description_that_is_overtaken_is_not_told() -> None:
+    page = WholePage("rope")
+    page.frames(2, *[Perform("describeBody")] * 5, Describe(mass=3))
+    assert says(page, "Mass 3,")
+    page.frames(2, Perform("describeBody"))
+    assert says(page, "A chain of")
+    texts = [each.text for each in page.client.mail.sent if isinstance(each, Described)]
+    assert [text.split(",")[0].split(" of ")[0] for text in texts] == ["Mass 3", "A chain"]

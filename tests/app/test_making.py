@@ -18,12 +18,13 @@ from app.session import commands
 from app.session.notices import Notice
 from app.session.plots import parse_plot, plot_text
 from app.wire.messages import read
-from app.words import speaking
-from app.words.english import step_of
+from app.words import languages, speaking
+from app.words.english import of, sentence, step_of
 from sim.scene.lesson import Goal, Lesson, Question, Reading, Step
 from sim.settings import scene_of_step
 from sim.store.files import decode_link, decode_scene, encode_scene
 from sim.store.link import link_data, pack_scene
+from sim.text import Text
 from tests.app.letters import Letters
 from tests.app.pages import SessionPage
 from tests.app.panels import page_of
@@ -206,7 +207,7 @@ def test_a_link_holds_the_longest_lesson_that_there_is() -> None:
         ({"goal": aimed("mass5.y", 3.0, 2.0)}, "goal", "Low 3 is above high 2."),
         ({"goal": aimed("mass99.y", 3.0)}, "goal.quantity", "mass99.y: mass 99 does not exist (0..11)."),
         ({"collect": asks.ReadingDraft("hope", "value")}, "collect.quantity", "'hope' is not a quantity"),
-        ({"controls": ("gravty",)}, "controls[0]", "gravty: there is no such setting"),
+        ({"controls": ("gravty",)}, "controls[0]", "Gravty: there is no such setting"),
     ],
 )
 def test_what_is_wrong_is_said_beside_its_field_and_changes_nothing(
@@ -224,6 +225,17 @@ def test_what_is_wrong_is_said_beside_its_field_and_changes_nothing(
     # What is right afterwards takes the sentence away.
     form.say(change(0, title="T"))
     assert (form.taken.part, form.taken.refused) == ("title", "")
+
+
+@pytest.mark.parametrize("tag", languages())
+def test_a_refusal_is_beside_its_field_in_every_language(tag: str) -> None:
+    with speaking(tag):
+        form = Form()
+        form.say(asks.AddStep(0), change(0, question=asked("?", ("a", ""))))
+        assert form.taken.field == "question.choices[1]"
+        assert "lesson" not in form.taken.refused
+        empty = Text("{where}: it must not be empty", where="")
+        assert form.taken.refused == sentence(of(empty).lstrip(" \u202f:"))
 
 
 def test_undo_takes_back_what_was_done_to_the_lesson() -> None:

@@ -31,7 +31,7 @@ from app.words import (
     say,
     speaking,
 )
-from app.words.english import catalogue, name_of, of, read, step_of
+from app.words.english import catalogue, name_of, of, read, sentence, step_of
 from sim.errors import InputError
 from sim.motion.quantities import quantity
 from sim.text import Text
@@ -84,6 +84,28 @@ def test_a_text_is_said_in_the_language_that_is_spoken() -> None:
             assert say("language-name") == "Éñğļîšh···"
         assert language() == "de"
     assert say("language-name") == "English"
+
+
+def test_a_sentence_of_sim_is_said_in_pseudo_english_with_its_numbers() -> None:
+    with speaking(PSEUDO):
+        assert of(Text("a {name} of {mass:.3g} kg", name="body", mass=2.0)) == "à body öf· 2 ķğ·"
+
+
+@pytest.mark.parametrize(
+    ("tag", "text", "said"),
+    [
+        ("en", "low is above high", "Low is above high."),
+        ("en", "name: it must not be empty", "Name: it must not be empty."),
+        ("en", "mass99.y: mass 99 does not exist", "mass99.y: mass 99 does not exist."),
+        ("en", "is it held?", "Is it held?"),
+        ("fr", "l’objet est fixé", "L’objet est fixé."),
+        ("tr", "itmeler eksik", "İtmeler eksik."),
+        ("tr", "özellik yok", "Özellik yok."),
+    ],
+)
+def test_a_sentence_has_a_capital_letter_and_an_end(tag: str, text: str, said: str) -> None:
+    with speaking(tag):
+        assert sentence(text) == said
 
 
 def test_lists_have_the_marks_of_their_language() -> None:

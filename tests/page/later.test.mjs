@@ -28,3 +28,23 @@ test("it is loaded at the first message that asks for it, and hears all that mat
   tell("remark", { text: "g" });
   assert.deepEqual(heard.at(-1), "remark g", "at once from then on");
 });
+
+test("a fault with one message is reported, and no other is lost for it", async () => {
+  const heard = [];
+  const faults = [];
+  const reporters = process.listeners("unhandledRejection");
+  process.removeAllListeners("unhandledRejection");
+  process.on("unhandledRejection", (error) => faults.push(error.message));
+  hearLater(["described", "remark"], ({ text }) => text.includes("!"), async () => ({ text }) => {
+    heard.push(text);
+    if (text === "a") throw new Error("a fault");
+  });
+  tell("described", { text: "a" });
+  tell("remark", { text: "b!" });
+  await settled();
+  tell("remark", { text: "c" });
+  await settled();
+  process.removeAllListeners("unhandledRejection");
+  for (const report of reporters) process.on("unhandledRejection", report);
+  assert.deepEqual([heard, faults], [["a", "b!", "c"], ["a fault"]]);
+});

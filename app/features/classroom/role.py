@@ -32,7 +32,7 @@ from ...ui.view import picture_of
 from ...wire import from_page
 from ...wire.carrier import Mail
 from ...wire.line import Line
-from ...words import decimal, say
+from ...words import number, say
 from ...words.english import name_of, step_of
 from ..files.sharing import qr_code
 from .messages import Asking, ClassEnded, Found, Law, LessonName, Predictions, Seat
@@ -361,9 +361,9 @@ def moved_text(scene: sim.Scene, masses: Sequence[int], points: Sequence[tuple[f
     (x, y), (to_x, to_y) = scene.masses[masses[0]].position, points[0]
     across, down = to_x - x, (to_y - y) if scene.view.y_down else y - to_y
     if abs(down) >= abs(across):
-        length = decimal(f"{abs(down):.3g} {scene.view.unit}")
+        length = f"{number(abs(down))} {scene.view.unit}"
         return say("class-moved.lower" if down > 0.0 else "class-moved.higher", length=length)
-    length = decimal(f"{abs(across):.3g} {scene.view.unit}")
+    length = f"{number(abs(across))} {scene.view.unit}"
     return say("class-moved.right" if across > 0.0 else "class-moved.left", length=length)
 
 

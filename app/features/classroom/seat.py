@@ -37,7 +37,7 @@ from ...ui.controls import Controls
 from ...wire import from_page, line
 from ...wire.carrier import Mail
 from ...wire.messages import OwnBody
-from ...words import decimal, language, say, speaking
+from ...words import language, number, say, speaking
 from ...words.english import of
 from ..describe.messages import Describe
 from . import messages
@@ -294,7 +294,7 @@ class SeatRole(ClassRole):
         step = self._step
         if self._found is None or step is None or step.collect is None:
             return ""
-        return f"{decimal(f'{self._found:.4g}')} {reading_unit(step.collect, scene)}".rstrip()
+        return f"{number(self._found, 4)} {reading_unit(step.collect, scene)}".rstrip()
 
     def _word(self, session: Session, places: tuple[tuple[int, int], ...]) -> Word:
         if session.simulation.divergence is not None:

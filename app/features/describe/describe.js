@@ -26,7 +26,7 @@ function begin() {
   /** What had the focus before. @type {Element | null} */
   let before = null;
   const close = () => {
-    const target = before?.isConnected ? before : document.querySelector(".softrod-body");
+    const target = before?.isConnected && before !== document.body ? before : document.querySelector(".softrod-body");
     if (card.contains(document.activeElement) && target instanceof HTMLElement) target.focus();
     card.hidden = true;
   };

@@ -14,7 +14,7 @@ from sim.edit.edit import Selection
 from sim.scene.types import Scene
 
 from ...session.session import Session
-from ...ui.queues import threads
+from ...ui.queues import SerialQueue
 from ...wire.carrier import Mail
 from .messages import Described
 from .paragraph import paragraph, swing_of
@@ -31,14 +31,18 @@ class Describer:
 
     def __init__(self, mail: Mail, soon: Callable[[Callable[[], object]], object]) -> None:
         self._mail, self._soon = mail, soon
+        self._queue = SerialQueue(lambda _: None)  # what is asked meanwhile is overtaken, and done at once
+        self._asked = 0
         self._before: Description | None = None
 
     def forget(self) -> None:
         """Another body takes the place of the one that was described."""
+        self._asked += 1
         self._before = None
 
     def describe(self, session: Session, mass: int | None) -> None:
         """Describe what is selected, or a mass, or the body."""
+        self._asked += 1
         part = _only(session.selection)
         if part is None and mass is not None and mass < len(session.scene.masses):
             part = "mass", mass
@@ -51,18 +55,29 @@ class Describer:
         self._mail.send(Described(text=text))
 
     def describe_body(self, session: Session) -> None:
-        """Describe the body as it is now; how it swings is found in another thread."""
+        """Describe the body as it is now; how it swings is found in another thread.
+
+        A description that another one has overtaken is not told any more.
+        """
+        self._asked += 1
         scene = session.simulation.scene
         found, before = describe(session.simulation, scene), self._before
         self._before = found
         positions = session.simulation.positions.copy()
-        threads.submit(copy_context().run, self._say, found, scene, positions, before)
+        self._queue.submit(copy_context().run, self._say, self._asked, found, scene, positions, before)
 
     def _say(
-        self, found: Description, scene: Scene, positions: NDArray[np.float64], before: Description | None
+        self,
+        asked: int,
+        found: Description,
+        scene: Scene,
+        positions: NDArray[np.float64],
+        before: Description | None,
     ) -> None:
+        if asked != self._asked:
+            return
         told = Described(text=paragraph(found, scene, swing_of(found, scene, positions), before))
-        self._soon(lambda: self._mail.send(told))
+        self._soon(lambda: self._mail.send(told) if asked == self._asked else None)
 
 
 def _only(selection: Selection) -> tuple[str, int] | None:

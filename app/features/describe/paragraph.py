@@ -52,7 +52,8 @@ class Swing:
     Attributes:
         period: s, of a damped swing.
         lost: part of its amplitude that it loses in one.
-        away: how far a mass is from its place at rest, px, at most.
+        away: how far a mass is from its place at rest, px, at most; of a body that may float, in the frame
+            that moves with it.
     """
 
     period: float
@@ -83,7 +84,7 @@ def swing_of(found: Description, scene: Scene, positions: NDArray[np.float64]) -
     return Swing(
         period=math.tau / (float(modes.omega[0]) * damped),
         lost=1.0 - math.exp(-math.tau * ratio / damped),
-        away=float(np.hypot(*(positions - modes.rest).T).max()),
+        away=float(modes.away(positions).max()),
     )
 
 

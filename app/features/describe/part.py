@@ -12,6 +12,8 @@ from .paragraph import way_in_words
 
 _MANY = 8
 """Springs of a mass that are listed, at most."""
+_ROUNDING = 1e-6
+"""Angles, forces and torques below this are what rounding leaves of none; degrees, kg px/s², kg px²/s²."""
 
 
 def of_part(found: PartFound, scene: Scene, is_in_hand: bool = False) -> str:
@@ -67,7 +69,7 @@ def _of_spring(found: SpringFound, unit: str) -> Iterator[str]:
     if found.strain:
         sense = "stretched" if found.strain > 0.0 else "squeezed"
         yield say("describe-part-strain", sense=sense, percent=number(100.0 * abs(found.strain)))
-    if found.force:
+    if abs(found.force) > _ROUNDING:
         sense = "pulls" if found.force > 0.0 else "pushes"
         yield say("describe-part-force", sense=sense, force=f"{number(abs(found.force))} {found.unit}")
     if found.has_yielded:
@@ -83,9 +85,12 @@ def _of_joint(found: JointFound) -> Iterator[str]:
         yield say("describe-part-broken")
         return
     yield say("describe-part-corner", corner=f"{number(found.corner)}°")
-    angle, rest = (f"{number(each)}°" for each in (found.angle, found.rest_angle))
-    yield say("describe-part-angle", angle=angle, rest=rest)
-    yield say("describe-part-torque", torque=f"{number(found.torque)} {found.unit}")
+    angle, rest, torque = (
+        number(each if abs(each) > _ROUNDING else 0.0)
+        for each in (found.angle, found.rest_angle, found.torque)
+    )
+    yield say("describe-part-angle", angle=f"{angle}°", rest=f"{rest}°")
+    yield say("describe-part-torque", torque=f"{torque} {found.unit}")
     if found.has_yielded:
         yield say("describe-part-yielded")
     if found.muscle is not None:

@@ -20,7 +20,7 @@ from ...session.notices import Notice
 from ...ui.page import Page
 from ...ui.viser.handlers import add_command, on_press
 from ...words import joined, say
-from ...words.english import refusal
+from ...words.english import refusal, sentence
 
 SECONDS = (1, 20)
 """Of motion that a page can have in a file."""
@@ -105,7 +105,7 @@ class ExportPanel:
             made = wanted.make(source, options)
             if made.notes:
                 about = say("files-about-file" if button.icon else "files-about-program")
-                self._tell("info", about, _sentence(joined(made.notes, "language-semicolon")))
+                self._tell("info", about, sentence(joined(made.notes, "language-semicolon")))
             data = made.as_one(name)
             self._client.send_file_download(f"{name}.{button.saved_as}", data, save_immediately=True)
         except InputError as error:
@@ -130,7 +130,3 @@ class ExportPanel:
 
     def _tell(self, kind: Any, title: str, text: str) -> None:
         self._page.notify(Notice(kind, title, text))
-
-
-def _sentence(text: str) -> str:
-    return text[:1].upper() + text[1:] + "."

@@ -28,8 +28,8 @@ from ...session.notices import Notice
 from ...session.plots import parse_plot
 from ...session.versions import Versions
 from ...ui.page import Page
-from ...words import decimal, joined, say, upright
-from ...words.english import of, step_of, written
+from ...words import joined, number, say, upright
+from ...words.english import of, sentence, step_of, without_field, written
 from ...words.quantities import part_called, quantity_of
 from ...words.settings import label_of, label_of_choice, options_of
 from . import messages as asks
@@ -62,8 +62,8 @@ ARROWS = ("forces", "velocities", "torques")
 _DRAFTS = {"question": Question, "goal": Goal, "collect": Reading}
 """Fields that arrive as drafts, which may be invalid, and what is made of them."""
 
-_REFUSAL = re.compile(r"(?:lesson\.steps(?:\[\d+\])?\.?([\w.\[\]]*): )?(.*)", re.DOTALL)
-"""The field of a step, and what is wrong with it."""
+_FIELD = re.compile(r"lesson\.steps(?:\[\d+\])?\.?([\w.\[\]]*)(?=: )")
+"""The field of a step, before what is wrong with it."""
 
 MakeEdit = Callable[[sim.Scene], Edit]
 
@@ -241,15 +241,15 @@ class LessonMaker:
     def _report(self, ask: asks.Prepare, part: str, error: Exception | None = None) -> None:
         """Report a change to the page: to the form, and if no field is concerned by a notice, too."""
         step = ask.step if isinstance(ask, asks.OfStep) else -1
-        field, sentence = "", ""
+        field, refused = "", ""
         if error is not None:
-            match = _REFUSAL.fullmatch(of(str(error)))
-            assert match is not None, "it matches any text"
-            field = match[1] or part
-            sentence = re.sub(r"^[a-z]+ ", lambda first: first[0].capitalize(), f"{match[2]}.")  # no name
+            text = str(error)
+            found = _FIELD.match(text)
+            field = (found and found[1]) or part
+            refused = sentence(without_field(text, found[0]) if found else of(text))
             if not part:
-                self._page.notify(Notice("error", say("making-not-done"), sentence))
-        self._mail.send(LessonTaken(step=step, part=part, field=field, refused=sentence))
+                self._page.notify(Notice("error", say("making-not-done"), refused))
+        self._mail.send(LessonTaken(step=step, part=part, field=field, refused=refused))
 
     @property
     def _arrows(self) -> tuple[str, ...]:
@@ -316,9 +316,9 @@ def describe_settings(scene: sim.Scene, settings: tuple[str, ...]) -> str:
         value = values[key]
         if key in CHOICES:
             words.append(f"{label_of_choice(key)}: {options_of(key).get(value, value)}")
-        elif key in known and math.isfinite(number := _number(value)):
+        elif key in known and math.isfinite(size := _number(value)):
             unit = known[key].unit.replace("px", scene.view.unit)
-            said = f"{decimal(f'{number:.6g}')} {unit}".rstrip()
+            said = f"{number(size, 6)} {unit}".rstrip()
             words.append(f"{label_of(known[key])} {upright(said)}")
         else:
             words.append(f"{key} {value}")

@@ -16,7 +16,7 @@ from sim.errors import InputError
 
 from ...session.plots import Plot, Span
 from ...ui import readouts
-from ...words import decimal, find, joined, say
+from ...words import decimal, find, joined, number, say, upright
 from ...words.english import of
 from ...words.keys import Key
 
@@ -97,10 +97,10 @@ def fits_text(plot: Plot, fits: Sequence[Fit]) -> str:
             lines.append(f"{html.escape(quantity.name)}: {html.escape(fit.why_not)}")
             continue
         scatter = f"{readouts.grouped(fit.curve.deviation)} {quantity.unit}".strip()
-        origin = decimal(f"{fit.curve.origin:.6g} {over}".strip())
+        origin = f"{number(fit.curve.origin, 6)} {over}".strip()
         lines += [
             say("measure-fit-from", quantity=html.escape(quantity.name), place=html.escape(origin)),
-            *(_said(number, quantity.unit, over) for number in fit.curve.numbers),
+            *(_said(each, quantity.unit, over) for each in fit.curve.numbers),
             say("measure-fit-deviation", deviation=html.escape(scatter)),
         ]
         in_view = fit.ends[1] - fit.ends[0]
@@ -160,15 +160,15 @@ def draw_spectra(plot: Plot, span: Span, points: int = POINTS) -> DrawnSpectrum:
     marked, lines = [], []
     for quantity, each in zip(plot.quantities, spectra, strict=False):
         found = peaks(each, duration, PEAKS) if each is not None else []
-        marked += [(peak.frequency, peak.amplitude, decimal(f"{peak.frequency:.4g} Hz")) for peak in found]
+        marked += [(peak.frequency, peak.amplitude, f"{number(peak.frequency, 4)} Hz") for peak in found]
         unit = f" {quantity.unit}" if quantity.unit else ""
         said = (
-            f"<b>{decimal(f'{peak.frequency:.4g}')} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})"
+            upright(f"<b>{number(peak.frequency, 4)} Hz</b> ({readouts.grouped(peak.amplitude)}{unit})")
             for peak in found
         )
         none = say(_NO_SPECTRUM if each is None else "measure-spectrum-no-peak")
         lines.append(f"{html.escape(quantity.name)}: {joined(said) or none}")
-    lines.append(say("measure-spectrum-of", seconds=decimal(f"{duration:.3g}")))
+    lines.append(say("measure-spectrum-of", seconds=number(duration)))
     return DrawnSpectrum(frequencies[starts], amplitudes, tuple(marked), _text(lines))
 
 
@@ -182,12 +182,13 @@ def _text(lines: Sequence[str]) -> str:
     return f'<div class="softrod-text softrod-reading">{"<br>".join(lines)}</div>'
 
 
-def _said(number: Number, unit: str, over: str) -> str:
+def _said(found: Number, unit: str, over: str) -> str:
     """A number with its standard error and its unit, as HTML."""
-    power, along = number.unit
+    power, along = found.unit
     unit = html.escape(_unit(unit if power else "", over, along)) if power or along else "°"
-    name = find(f"measure-number-{number.name.replace(' ', '-')}", number.name)
-    return f"{name} <b>{decimal(with_error(number.value, number.error))} {unit}".strip() + "</b>"
+    name = find(f"measure-number-{found.name.replace(' ', '-')}", found.name)
+    value = decimal(with_error(found.value, found.error))
+    return f"{name} <b>{upright(f'{value} {unit}'.strip())}</b>"
 
 
 def _unit(unit: str, over: str, along: int) -> str:

@@ -311,12 +311,12 @@ def title(plot: Plot, series: Sequence[str]) -> str:
     """Return the names of the quantities in their colours, as HTML."""
     is_name = "" if plot.in_words else ' translate="no"'
     *upwards, last = (html.escape(called(plot, quantity)) for quantity in plot.quantities)
-    over = " " + say("measure-over-one", over=last) if plot.spec.over else ""
-    keys = (
+    keys = " ".join(
         f'<span{is_name}><i style="background:{color}"></i>{name}</span>'
-        for name, color in zip(upwards if over else [*upwards, last], series, strict=True)
+        for name, color in zip(upwards if plot.spec.over else [*upwards, last], series, strict=True)
     )
-    return f'<div class="softrod-plot-title" role="heading" aria-level="2">{" ".join(keys)}{over}</div>'
+    said = say("measure-title-over", quantity=keys, over=last) if plot.spec.over else keys
+    return f'<div class="softrod-plot-title" role="heading" aria-level="2">{said}</div>'
 
 
 def reading(plot: Plot, span: Span, none: Key | None = "measure-still") -> str:

@@ -17,21 +17,23 @@ from ...background import BackgroundWorker
 from ...session.notices import Notice
 from ...ui.page import Page
 from ...words import say
-from ...words.english import of
+from ...words.english import of, sentence, without_field
 
 MAX_MASSES = 200
 """Masses of a body that a page works on; pages would notice the work on larger ones."""
+
+_FUNCTIONS = ("make_stable", "damp_vibration", "set_wishes")
+"""Functions of `sim` whose errors begin with their names."""
 
 worker = BackgroundWorker()
 """The thread that does it for all pages."""
 
 
-def sentence(error: Exception | str) -> str:
+def problem(error: Exception | str) -> str:
     """Return an error as a sentence of its own, without the name of the function that raised it."""
-    text = of(str(error))
-    for name in ("make_stable", "damp_vibration", "set_wishes"):
-        text = text.removeprefix(f"{name}: ")
-    return f"{text[:1].upper()}{text[1:]}."
+    text = str(error)
+    name = text.partition(": ")[0]
+    return sentence(without_field(text, name) if name in _FUNCTIONS else of(text))
 
 
 def paragraph(text: str, kind: str = "") -> str:
@@ -104,7 +106,7 @@ class Job:
                     )
                 work(scene)
             except (InputError, SceneError) as error:
-                self._page.notify(Notice("error", trouble, sentence(error)))
+                self._page.notify(Notice("error", trouble, problem(error)))
             except Exception:
                 self._page.notify(Notice("error", trouble, say("solver-error")))
                 raise

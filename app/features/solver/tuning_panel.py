@@ -29,7 +29,7 @@ from ...ui.viser.handlers import add_command, on_change
 from ...ui.viser.look import describe_control
 from ...ui.viser.slider_box import SliderBox, alike, allows, rounded
 from ...words import decimal, joined, say
-from .job import MAX_MASSES, Job, paragraph, sentence, worker
+from .job import MAX_MASSES, Job, paragraph, problem, worker
 
 APPLY_TIMEOUT = 1.0
 """Seconds within which the page's next frame has applied a change."""
@@ -372,7 +372,7 @@ class TuningPanel:
                 return ""
             designed = _designed(scene, key, value)
         except (InputError, SceneError) as error:
-            return sentence(error)
+            return problem(error)
         if designed is None:
             return ""
         design, label = designed
@@ -388,7 +388,7 @@ class TuningPanel:
         session.post(commands.Change(make, f"wish {key}" if key in SLIDERS else ""))
         applied.wait(APPLY_TIMEOUT)  # the next target starts from the result of this one
         if design.conflict:
-            return sentence(design.conflict)
+            return problem(design.conflict)
         lost = self._wished.discarded_by(key, value, label, design.scene)
         return say("solver-lost", wishes=joined(lost)) if lost else ""
 

@@ -38,7 +38,6 @@ measure-line-fit = منحنى ملائم: { $quantity }
 measure-title-spectrum = طيف السعات: { $quantity }
 measure-title-over = { $quantity } بدلالة { $over }
 measure-range = { $quantity }: الآن { $now }؛ من { $low } إلى { $high }.
-measure-over-one = بدلالة { $over }
 measure-still = لا ذبذبة منتظمة
 measure-swing = { $quantity }: الزمن الدوري <b>⁦{ $period } s⁩</b>، السعة <b>{ $amplitude }</b>
     .loses = { $quantity }: الزمن الدوري <b>⁦{ $period } s⁩</b>، السعة <b>{ $amplitude }</b>، يفقد ⁦{ $percent } %⁩ في كل دورة

@@ -38,7 +38,6 @@ measure-line-fit = Anpassung an { $quantity }
 measure-title-spectrum = Amplitudenspektrum von { $quantity }
 measure-title-over = { $quantity } über { $over }
 measure-range = { $quantity }: jetzt { $now }; von { $low } bis { $high }.
-measure-over-one = über { $over }
 measure-still = keine regelmäßige Schwingung
 measure-swing = { $quantity }: Periodendauer <b>{ $period } s</b>, Amplitude <b>{ $amplitude }</b>
     .loses = { $quantity }: Periodendauer <b>{ $period } s</b>, Amplitude <b>{ $amplitude }</b>, verliert { $percent } % je Periode

@@ -33,10 +33,10 @@ session-cause-pushes = Stöße
 session-cause-rails = Schienen
 
 session-shape = Diese Form lässt sich nicht halten
-    .line = { $why }. Die Linie zeigt, wohin sie sich bewegt.
-    .button = { $why }. Die Schaltfläche „Halten, { $times }-mal so steif“ sorgt dafür.
-    .both = { $why }. Die Linie zeigt, wohin sie sich bewegt. Die Schaltfläche „Halten, { $times }-mal so steif“ sorgt dafür.
-    .text = { $why }.
+    .line = { $why } Die Linie zeigt, wohin sie sich bewegt.
+    .button = { $why } Die Schaltfläche „Halten, { $times }-mal so steif“ sorgt dafür.
+    .both = { $why } Die Linie zeigt, wohin sie sich bewegt. Die Schaltfläche „Halten, { $times }-mal so steif“ sorgt dafür.
+    .text = { $why }
 
 session-back-to = Zurück zu „{ $scene }“
     .undo = „Rückgängig“ führt wieder zu „{ $scene }“.

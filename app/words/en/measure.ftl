@@ -48,8 +48,6 @@ measure-title-spectrum = amplitude spectrum of { $quantity }
 measure-title-over = { $quantity } over { $over }
 # What a screen reader says of each quantity of such a plot; numbers have units.
 measure-range = { $quantity }: now { $now }; from { $low } to { $high }.
-# After the names of the quantities, in their colours.
-measure-over-one = over { $over }
 # What is read below a plot.
 measure-still = no regular swing
 measure-swing = { $quantity }: period <b>{ $period } s</b>, amplitude <b>{ $amplitude }</b>

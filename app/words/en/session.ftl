@@ -39,10 +39,10 @@ session-cause-rails = rails
 
 # The body cannot keep its shape; after a sentence that says why.
 session-shape = This shape cannot be kept
-    .line = { $why }. The line shows where it goes.
-    .button = { $why }. The button “Keep it, { $times } times as stiff” makes it so.
-    .both = { $why }. The line shows where it goes. The button “Keep it, { $times } times as stiff” makes it so.
-    .text = { $why }.
+    .line = { $why } The line shows where it goes.
+    .button = { $why } The button “Keep it, { $times } times as stiff” makes it so.
+    .both = { $why } The line shows where it goes. The button “Keep it, { $times } times as stiff” makes it so.
+    .text = { $why }
 
 # After Undo and Redo, where they lead to another scene; names of buttons, too.
 session-back-to = Back to “{ $scene }”

@@ -38,7 +38,6 @@ measure-line-fit = ajuste a { $quantity }
 measure-title-spectrum = espectro de amplitudes de { $quantity }
 measure-title-over = { $quantity } en función de { $over }
 measure-range = { $quantity }: ahora { $now }; de { $low } a { $high }.
-measure-over-one = en función de { $over }
 measure-still = ninguna oscilación regular
 measure-swing = { $quantity }: periodo <b>{ $period } s</b>, amplitud <b>{ $amplitude }</b>
     .loses = { $quantity }: periodo <b>{ $period } s</b>, amplitud <b>{ $amplitude }</b>, pierde un { $percent } % por ciclo

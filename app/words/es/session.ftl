@@ -33,10 +33,10 @@ session-cause-pushes = empujes
 session-cause-rails = carriles
 
 session-shape = Esta forma no se puede conservar
-    .line = { $why }. La línea muestra hacia dónde va.
-    .button = { $why }. El botón «Conservarla, rigidez × { $times }» lo consigue.
-    .both = { $why }. La línea muestra hacia dónde va. El botón «Conservarla, rigidez × { $times }» lo consigue.
-    .text = { $why }.
+    .line = { $why } La línea muestra hacia dónde va.
+    .button = { $why } El botón «Conservarla, rigidez × { $times }» lo consigue.
+    .both = { $why } La línea muestra hacia dónde va. El botón «Conservarla, rigidez × { $times }» lo consigue.
+    .text = { $why }
 
 session-back-to = Volver a «{ $scene }»
     .undo = «Deshacer» lleva otra vez a «{ $scene }».

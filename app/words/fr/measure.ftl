@@ -38,7 +38,6 @@ measure-line-fit = ajustement : { $quantity }
 measure-title-spectrum = spectre d’amplitude : { $quantity }
 measure-title-over = { $quantity } selon { $over }
 measure-range = { $quantity } : maintenant { $now } ; de { $low } à { $high }.
-measure-over-one = selon { $over }
 measure-still = pas d’oscillation régulière
 measure-swing = { $quantity } : période <b>{ $period } s</b>, amplitude <b>{ $amplitude }</b>
     .loses = { $quantity } : période <b>{ $period } s</b>, amplitude <b>{ $amplitude }</b>, perd { $percent } % par oscillation

@@ -33,10 +33,10 @@ session-cause-pushes = poussées
 session-cause-rails = rails
 
 session-shape = Cette forme ne peut pas être gardée
-    .line = { $why }. La ligne montre où elle va.
-    .button = { $why }. Le bouton « La garder, { $times } fois plus raide » le permet.
-    .both = { $why }. La ligne montre où elle va. Le bouton « La garder, { $times } fois plus raide » permet de la garder.
-    .text = { $why }.
+    .line = { $why } La ligne montre où elle va.
+    .button = { $why } Le bouton « La garder, { $times } fois plus raide » le permet.
+    .both = { $why } La ligne montre où elle va. Le bouton « La garder, { $times } fois plus raide » permet de la garder.
+    .text = { $why }
 
 session-back-to = Revenir à « { $scene } »
     .undo = « Annuler » ramène à « { $scene } ».

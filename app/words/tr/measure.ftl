@@ -38,7 +38,6 @@ measure-line-fit = uydurulan eğri: { $quantity }
 measure-title-spectrum = genlik spektrumu: { $quantity }
 measure-title-over = { $quantity } – { $over }
 measure-range = { $quantity }: şimdi { $now }; { $low } ile { $high } arasında.
-measure-over-one = yatay eksen: { $over }
 measure-still = düzenli bir salınım yok
 measure-swing = { $quantity }: periyot <b>{ $period } s</b>, genlik <b>{ $amplitude }</b>
     .loses = { $quantity }: periyot <b>{ $period } s</b>, genlik <b>{ $amplitude }</b>, her salınımda kaybı %{ $percent }

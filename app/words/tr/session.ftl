@@ -33,10 +33,10 @@ session-cause-pushes = itmeler
 session-cause-rails = raylar
 
 session-shape = Bu biçim korunamıyor
-    .line = { $why }. Çizgi, cismin nereye gittiğini gösterir.
-    .button = { $why }. “{ $times } kat sertlikle koru” düğmesi bunu sağlar.
-    .both = { $why }. Çizgi, cismin nereye gittiğini gösterir. “{ $times } kat sertlikle koru” düğmesi bunu sağlar.
-    .text = { $why }.
+    .line = { $why } Çizgi, cismin nereye gittiğini gösterir.
+    .button = { $why } “{ $times } kat sertlikle koru” düğmesi bunu sağlar.
+    .both = { $why } Çizgi, cismin nereye gittiğini gösterir. “{ $times } kat sertlikle koru” düğmesi bunu sağlar.
+    .text = { $why }
 
 session-back-to = Şu sahneye dönüldü: “{ $scene }”
     .undo = “Geri al” yeniden şu sahneye götürür: “{ $scene }”.
