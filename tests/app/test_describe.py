@@ -204,7 +204,7 @@ def test_a_body_that_floats_is_away_from_its_rest_by_its_deformation_alone() -> 
     found = describe(sim.Simulation(dumbbell), dumbbell)
     turned = np.array([[200.0, 50.0], [200.0, 150.0]])
     assert "It is at rest." in paragraph(found, dumbbell, swing_of(found, dumbbell, turned))
-    longer = turned + [[0.0, -5.0], [0.0, 5.0]]
+    longer = turned + np.array([[0.0, -5.0], [0.0, 5.0]])
     assert "It does not move now, 5 px away from its rest." in paragraph(
         found, dumbbell, swing_of(found, dumbbell, longer)
     )

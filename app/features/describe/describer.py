@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from contextvars import copy_context
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,7 +63,7 @@ class Describer:
         found, before = describe(session.simulation, scene), self._before
         self._before = found
         positions = session.simulation.positions.copy()
-        self._queue.submit(copy_context().run, self._say, self._asked, found, scene, positions, before)
+        self._queue.submit(self._say, self._asked, found, scene, positions, before)
 
     def _say(
         self,
