@@ -608,6 +608,7 @@ export type Words = {
   "describe-still.nearly": "length";
   "describe-still.all": never;
   "describe-moves": "mass" | "way" | "speed";
+  "describe-moves.all": "mass" | "way" | "speed";
   "describe-drifts": "whole" | "speed";
   "describe-turns": "sense" | "degrees";
   "describe-way": "way";

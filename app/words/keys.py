@@ -610,6 +610,7 @@ Key = Literal[
     "describe-still.nearly",
     "describe-still.all",
     "describe-moves",
+    "describe-moves.all",
     "describe-drifts",
     "describe-turns",
     "describe-way",

@@ -44,7 +44,7 @@ export const upright = (text) => (direction === "rtl" ? `\u2066${text}\u2069` : 
 export const isolated = (text) => `\u2068${text}\u2069`;
 
 /** Some texts as a list, as in "a, b and c". @param {string[]} items */
-export const listed = (items) => new Intl.ListFormat(language === "en" ? "en-GB" : language).format(items);
+export const listed = (items) => new Intl.ListFormat(language.startsWith("en") ? "en-GB" : language).format(items);
 
 /**
  * Some texts after one another, as in "a, b, c"; empty ones are left out.

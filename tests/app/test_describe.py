@@ -110,6 +110,17 @@ def test_each_of_several_bodies_is_described_by_its_place() -> None:
     assert re.findall(r"Body (\d) from the top consists of masses ([\d–]+)\.", text) == [
         ("1", "0–20"), ("2", "21–41"), ("3", "42–62"),
     ]  # fmt: skip
+    # Of more than eight, only which mass is the fastest.
+    many = sim.Scene(
+        name="rain",
+        masses=tuple(sim.Mass(position=(30.0 * i, 0.0)) for i in range(9)),
+        gravity=(0.0, 1000.0),
+    )
+    rain = sim.Simulation(many)
+    rain.step(100)
+    text = paragraph(describe(rain, many), many)
+    assert "Body" not in text
+    assert re.search(r"The fastest mass, \d, moves down at [\d.]+ px/s\.$", text)
     # That nothing moves is said once.
     hooke = sim.load_scene("lesson-hooke")
     text = paragraph(describe(sim.Simulation(hooke), hooke), hooke)

@@ -114,9 +114,8 @@ def _sentences(
             yield say("describe-lies.all", width=width, height=height)
         else:
             yield say("describe-lies", width=width, height=height)
-    told = [piece for piece in found.pieces if len(piece.masses) > len(piece.held)]
-    if 1 < len(told) <= _EACH:
-        yield from _each(told, found, unit, up)
+    if len(found.pieces) > 1:
+        yield from _bodies(found, unit, up)
     else:
         yield from _hangs(found.motion, top - bottom, unit)
         yield from _motion(found.motion, swing, unit, up)
@@ -181,8 +180,18 @@ def way_in_words(vector: tuple[float, float], up: float) -> str:
     return say("describe-way", way=_WAYS[round(direction(vector, up) / 45.0) % 8])
 
 
+def _bodies(found: Description, unit: str, up: float) -> Iterator[str]:
+    """How each of several pieces lies and moves, in the order in which they lie; of many, how they move."""
+    pieces = [piece for piece in found.pieces if len(piece.masses) > len(piece.held)]
+    if 0 < len(pieces) <= _EACH:
+        yield from _each(pieces, found, unit, up)
+    elif not found.motion.is_still:
+        yield _fastest("describe-moves.all", found.motion, unit, up)
+    if found.motion.is_still:
+        yield say("describe-still.all")
+
+
 def _each(pieces: list[Piece], found: Description, unit: str, up: float) -> Iterator[str]:
-    """How each of several pieces lies and moves, in the order in which they lie."""
     centres = np.array([piece.motion.centre for piece in pieces])
     across, upward = np.ptp(centres, axis=0)
     places = centres[:, 0] if across >= upward else -up * centres[:, 1]
@@ -196,8 +205,6 @@ def _each(pieces: list[Piece], found: Description, unit: str, up: float) -> Iter
         masses = pieces[at].masses
         yield say("describe-piece", number=str(i), side=side, count=len(masses), masses=_runs(masses))
         yield from said
-    if found.motion.is_still:
-        yield say("describe-still.all")
 
 
 def _runs(masses: tuple[int, ...]) -> str:
@@ -227,12 +234,7 @@ def _motion(motion: Motion, swing: Swing | None, unit: str, up: float) -> Iterat
     if swing is not None and max(swing.away, motion.speed * swing.period / math.tau) < _NEARLY:
         yield say("describe-still.nearly", length=f"{number(_NEARLY)} {unit}")
         return
-    yield say(
-        "describe-moves",
-        mass=str(motion.fastest),
-        way=way_in_words(motion.velocity, up),
-        speed=f"{number(motion.speed)} {unit}/s",
-    )
+    yield _fastest("describe-moves", motion, unit, up)
     drift = math.hypot(*motion.drift)
     if drift > 0.1 * motion.speed:
         yield say("describe-drifts", whole=way_in_words(motion.drift, up), speed=f"{number(drift)} {unit}/s")
@@ -240,6 +242,11 @@ def _motion(motion: Motion, swing: Swing | None, unit: str, up: float) -> Iterat
     if abs(degrees) >= _SLOW:
         sense = "counterclockwise" if degrees > 0.0 else "clockwise"
         yield say("describe-turns", sense=sense, degrees=number(abs(degrees)))
+
+
+def _fastest(key: Key, motion: Motion, unit: str, up: float) -> str:
+    way, speed = way_in_words(motion.velocity, up), f"{number(motion.speed)} {unit}/s"
+    return say(key, mass=str(motion.fastest), way=way, speed=speed)
 
 
 def _changes(found: Description, before: Description, unit: str, up: float) -> Iterator[str]:

@@ -166,6 +166,7 @@ describe-still = الجسم ساكن.
     .nearly = الجسم شبه ساكن: يتذبذب بأقل من { $length }.
     .all = لا شيء يتحرك.
 describe-moves = أسرع كتلة فيه هي الكتلة { $mass }، وتتحرك { $way } بسرعة { $speed }.
+    .all = أسرع كتلة هي الكتلة { $mass }، وتتحرك { $way } بسرعة { $speed }.
 describe-drifts = يتحرك الجسم ككل { $whole } بسرعة { $speed }.
 describe-turns = يدور { $sense ->
     [clockwise] مع اتجاه عقارب الساعة

@@ -117,6 +117,7 @@ describe-still = Er ist in Ruhe.
     .nearly = Er ist fast in Ruhe: Er schwingt um weniger als { $length }.
     .all = Nichts bewegt sich.
 describe-moves = Seine schnellste Masse, { $mass }, bewegt sich { $way } mit { $speed }.
+    .all = Die schnellste Masse, { $mass }, bewegt sich { $way } mit { $speed }.
 describe-drifts = Als Ganzes bewegt er sich { $whole } mit { $speed }.
 describe-turns = Er dreht sich { $sense ->
     [clockwise] im Uhrzeigersinn

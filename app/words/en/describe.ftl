@@ -106,6 +106,7 @@ describe-still = It is at rest.
     .nearly = It is nearly at rest: it swings by less than { $length }.
     .all = Nothing moves.
 describe-moves = Its fastest mass, { $mass }, moves { $way } at { $speed }.
+    .all = The fastest mass, { $mass }, moves { $way } at { $speed }.
 describe-drifts = As a whole it moves { $whole } at { $speed }.
 describe-turns = It turns { $sense ->
     [clockwise] clockwise

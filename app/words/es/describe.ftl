@@ -117,6 +117,7 @@ describe-still = Está en reposo.
     .nearly = Está casi en reposo: oscila menos de { $length }.
     .all = Nada se mueve.
 describe-moves = Su masa más rápida, la { $mass }, se mueve { $way } a { $speed }.
+    .all = La masa más rápida, la { $mass }, se mueve { $way } a { $speed }.
 describe-drifts = En conjunto se mueve { $whole } a { $speed }.
 describe-turns = Gira { $sense ->
     [clockwise] en sentido horario

@@ -117,6 +117,7 @@ describe-still = L’objet est au repos.
     .nearly = L’objet est presque au repos : il oscille de moins de { $length }.
     .all = Rien ne bouge.
 describe-moves = La masse { $mass }, la plus rapide, se déplace { $way } à { $speed }.
+    .all = La masse { $mass }, la plus rapide de toutes, se déplace { $way } à { $speed }.
 describe-drifts = Dans l’ensemble, l’objet se déplace { $whole } à { $speed }.
 describe-turns = Il tourne { $sense ->
     [clockwise] dans le sens des aiguilles d’une montre

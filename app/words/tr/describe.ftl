@@ -79,6 +79,7 @@ describe-still = Cisim hareketsiz.
     .nearly = Cisim neredeyse hareketsiz: { $length } değerinden az salınıyor.
     .all = Hiçbir şey hareket etmiyor.
 describe-moves = En hızlı kütlesi, { $mass } numaralı olan, { $way } { $speed } süratle hareket ediyor.
+    .all = En hızlı kütle, { $mass } numaralı olan, { $way } { $speed } süratle hareket ediyor.
 describe-drifts = Cisim bütün olarak { $whole } { $speed } süratle hareket ediyor.
 describe-turns = { $sense ->
     [clockwise] Saat yönünde
