@@ -1,5 +1,6 @@
 // @ts-check
 /** A sentence on an empty canvas, and a button for the tool that draws a body. */
+import { access } from "../ui/access.js";
 import { make, makeButton, overCanvas } from "../ui/dialog.js";
 import { editing, isEditable, onEditing, setEditing, setTool } from "../features/edit/editing.js";
 import { say } from "../words/words.js";
@@ -26,7 +27,7 @@ export function addEmpty() {
   onMarksRedraw(({ plan, box, floor }) => {
     note.hidden = !isEditable() || plan.radius.length > 1 || plan.springs.length > 0 || (editing.on && !building());
     if (note.hidden) return;
-    text.textContent = say(!building() ? "stage-empty" : touch.matches ? "stage-empty.tap" : "stage-empty.click");
+    text.textContent = say(!building() ? "stage-empty" : access().taps ? "stage-empty.taps" : touch.matches ? "stage-empty.tap" : "stage-empty.click");
     button.hidden = building();
     note.style.left = `${box.left + box.width / 2}px`;
     note.style.top = `${box.top + HEIGHT * (floor - box.top)}px`;

@@ -1934,6 +1934,7 @@ export type Words = {
   "stage-empty.draw": never;
   "stage-empty.tap": never;
   "stage-empty.click": never;
+  "stage-empty.taps": never;
   "time-bar": never;
   "time-bar.more": never;
   "time-go-on": never;

@@ -1936,6 +1936,7 @@ Key = Literal[
     "stage-empty.draw",
     "stage-empty.tap",
     "stage-empty.click",
+    "stage-empty.taps",
     "time-bar",
     "time-bar.more",
     "time-go-on",

@@ -31,8 +31,8 @@ export const POINT = (new Intl.NumberFormat(words.language).formatToParts(1.5).f
 /** A number that is written with a point as the page's language writes it. @param {string} text */
 export const decimal = (text) => text.replace(".", POINT);
 
-/** A number that a unit follows; in a formula there is none. */
-const MEASURED = /(\d) (?=(?:px|[cmk]?m|k?g|ms|s|min|N|J|W|Hz|%)(?![A-Za-z\d]))/g;
+/** The last digit of a number before its unit; names of quantities and formulas have no such pair. */
+const MEASURED = /(\d) (?=(?:px|[cmk]?m|k?g|ms|s|min|rad|N|J|W|Hz|%)(?![A-Za-z\d]))/g;
 
 /** A text whose numbers and their units stay on one line. @param {string} text */
 export const tied = (text) => text.replace(MEASURED, "$1\u00a0");

@@ -99,6 +99,41 @@ def test_what_is_picked_up_can_be_put_back(open_page: OpenPage) -> None:
     assert (desk.simulation.positions[0] == before).all()
 
 
+def test_a_tap_that_slips_picks_up_what_stays_where_it_was(open_page: OpenPage) -> None:
+    desk = begin(open_page)
+    before = desk.simulation.positions
+    x, y = desk.place(11)
+    mouse = desk.page.mouse
+    mouse.move(x, y)
+    mouse.down()
+    for slip in (3.0, 7.0, 10.0):
+        mouse.move(x + slip, y)
+    mouse.up()
+    desk.until(lambda: "Picked up: mass 11" in note(desk).inner_text(), "it is a tap")
+    assert (desk.simulation.positions == before).all()
+    note(desk).get_by_role("button", name="Put back").click()
+    desk.until(lambda: said(desk, "Put back"), "it is back")
+    assert (desk.simulation.positions == before).all()
+    # What goes farther is a drag.
+    mouse.move(x, y)
+    mouse.down()
+    mouse.move(x + 20.0, y)
+    mouse.move(x + 60.0, y)
+    desk.until(lambda: off(desk, 11, (x + 60.0, y)) < 1.5, "it is with the pointer")
+    mouse.up()
+    assert note(desk).is_hidden()
+
+
+def test_a_tool_puts_down_the_selection_that_a_tap_picked_up(open_page: OpenPage) -> None:
+    desk = begin(open_page)
+    tool(desk, "Select")
+    pick_up(desk, desk.place(5), "selection")
+    anchors = desk.session.scene.anchors
+    desk.page.locator(".softrod-edit-bar").get_by_role("button", name="Pin").click()
+    desk.until(lambda: len(desk.session.scene.anchors) == len(anchors) + 1, "it is pinned")
+    assert note(desk).is_hidden()
+
+
 def test_a_tap_beside_all_masses_says_that_nothing_is_there(open_page: OpenPage) -> None:
     desk = begin(open_page, phone=True)
     tap(desk, (80.0, 300.0))

@@ -33,7 +33,8 @@ def _hear_live(_: Session, feature: MeasureFeature) -> None:
 
 
 _AGAIN = 10.0
-"""Seconds after a plot is played within which the key plays the next one, once it was heard and described."""
+"""Seconds after a plot is played within which the key plays the next one: long enough to hear it and what is
+said of it."""
 
 
 class MeasureFeature(Feature):

@@ -16,6 +16,8 @@ import { say } from "../../words/words.js";
 
 /** Pixels by which a pointer may move in a tap; as near is a tap on the same thing. @type {Record<string, number>} */
 const TAP = { mouse: 6, pen: 9, touch: 14 };
+/** As much more for whoever has asked for taps: a hand that is not steady slips. */
+const SLIP = 2;
 /** Pixels that what was picked up goes in a picture, and in how many pictures it goes at least and at most: a body follows. */
 const STRIDE = 30;
 const [LEAST, MOST] = [4, 24];
@@ -25,11 +27,15 @@ const RESTS = 150;
 const SAID = 5000;
 /** What works as ever while something is picked up, and does not say where it goes. */
 const CONTROLS = "button, a, input, select, textarea, summary, label, [role=tab], [role=menu]";
+/** Tools: a press on one puts down what is picked up of the body. */
+const TOOLS = ".softrod-edit-bar, .softrod-box, .softrod-instrument [role=button]";
 /** What has places of its own. */
 const SURFACES = "dialog, .softrod-panel, .softrod-class";
 
 /** The press that drags something. @type {Drag | null} */
 let pressed = null;
+/** Whether that has gone farther than a tap does. */
+let isDrag = false;
 /** The press that found nothing to drag. @type {PointerEvent | null} */
 let missed = null;
 /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -56,9 +62,11 @@ let back;
 
 /** @param {PointerEvent} event @returns {Place} */
 const placeOf = ({ clientX, clientY }) => ({ x: clientX, y: clientY });
-/** @param {PointerEvent} one @param {PointerEvent} two */
-const areNear = (one, two) =>
-  Math.hypot(one.clientX - two.clientX, one.clientY - two.clientY) <= (TAP[two.pointerType] ?? TAP.mouse);
+/** @param {PointerEvent} one @param {PointerEvent} two @param {number} [times] the pixels of a tap */
+const areNear = (one, two, times = 1) =>
+  Math.hypot(one.clientX - two.clientX, one.clientY - two.clientY) <= times * (TAP[two.pointerType] ?? TAP.mouse);
+/** Whether a press may still be a tap. @param {Drag} drag @param {PointerEvent} event */
+const isTap = ({ start }, event) => !isDrag && areNear(event, start, access().taps ? SLIP : 1);
 /** @param {Event} event */
 function swallow(event) {
   event.preventDefault();
@@ -153,10 +161,11 @@ function go(drag, to) {
 /** @param {PointerEvent} event */
 function down(event) {
   if (isOwn) return;
-  isDone = false;
+  isDone = isDrag = false;
   pressed = missed = null;
   note.hidden = !held || goes;
   if (held && !held.element.isConnected) putBack("pointercancel");
+  if (held?.element instanceof HTMLCanvasElement && event.target instanceof Element && event.target.closest(TOOLS)) putBack("pointercancel");
   if (!held) return;
   // What drags it is not to take another press for its own.
   if (isElsewhere(event.target, held)) {
@@ -169,7 +178,12 @@ function down(event) {
 
 /** @param {PointerEvent} event */
 function move(event) {
-  if (!isOwn && held && [tapping, held.start.pointerId].includes(event.pointerId)) event.stopImmediatePropagation();
+  if (isOwn) return;
+  if (held && [tapping, held.start.pointerId].includes(event.pointerId)) event.stopImmediatePropagation();
+  if (pressed?.start.pointerId !== event.pointerId) return;
+  // What a tap picks up is where it was, however the tap slips.
+  if (isTap(pressed, event)) event.stopImmediatePropagation();
+  else isDrag = true;
 }
 
 /** @param {PointerEvent} event */
@@ -186,11 +200,11 @@ function up(event) {
     if (areNear(event, held.start)) putBack("pointerup");
     else go(held, placeOf(event));
   } else if (missed?.pointerId === pointerId) {
-    if (type === "pointerup" && areNear(event, missed)) tellMissed();
+    if (type === "pointerup" && areNear(event, missed, SLIP)) tellMissed();
     missed = null;
   } else if (drag && drag.start.pointerId === pointerId) {
     pressed = null;
-    if (type === "pointercancel" || !areNear(event, drag.start)) return;
+    if (type === "pointercancel" || !isTap(drag, event)) return;
     event.stopImmediatePropagation();
     isDone = true;
     pickUp(drag);
