@@ -26,6 +26,8 @@ const MOST_ABOVE = 0.35;
 const WIDE = 0.75;
 /** Pixels of a canvas's height below which it leaves none in any case. */
 const LOW = 480;
+/** Pixels of height below which the body has all of the canvas. */
+const TIGHT = 180;
 /** Milliseconds between two checks of the canvas's size, and of whether viser has changed how the camera moves. */
 const CHECK_EVERY = 100;
 /** Part of the body's motion that is free around it at each side. */
@@ -138,6 +140,8 @@ function besideTools(box) {
     const over = document.querySelector(".softrod-over")?.getBoundingClientRect();
     const wanted = Math.max(0, (over?.bottom ?? 0) - box.top) + (box.width < NARROW ? HUD_HEIGHT : 0);
     const above = Math.min(wanted, MOST_ABOVE * (floorOf(box) - box.top));
+    // Where hardly a strip is left, the body lies under the buttons, larger.
+    if (floorOf(box) - box.top < TIGHT) return { above: 0, below: 0 };
     return { above, below: box.width < NARROW && height ? height + BUTTON_MARGIN : 0 };
   }
   const [row, bar] = [".softrod-edit.softrod-edit-row", ".softrod-edit-bar"].map((name) => document.querySelector(name)?.getBoundingClientRect());

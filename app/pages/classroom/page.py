@@ -13,6 +13,7 @@ from ...stage.sketch import COILS
 _APP = Path(__file__).parents[2]
 _SHEETS = (
     "ui/dialogs.css",
+    "ui/described.css",
     "ui/hands/taps.css",
     "features/classroom/classroom.css",
     "pages/classroom/class.css",

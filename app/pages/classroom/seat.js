@@ -110,7 +110,10 @@ export function addSeat(picture) {
     defer(() => {
       show();
       // What is to be done now is at the top.
-      if (hasMoved) element.scrollTop = 0;
+      if (hasMoved) {
+        element.scrollTop = 0;
+        element.scrollIntoView();
+      }
       hasMoved = false;
     });
   });

@@ -40,6 +40,7 @@ _FIRST_SHEETS = (
     "ui/dialogs.css",
     "ui/gui/gui.css",
     "stage/stage.css",
+    "ui/described.css",
     "ui/hands/taps.css",
 )
 _LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")

@@ -20,6 +20,8 @@ const MORE = "M6 9l6 6l6-6";
 
 /** Windows in which the panel is a sheet. */
 const SHEET = matchMedia("(max-width: 576px)");
+/** Windows, as at four times the usual size, that have room for the body or for its sliders. */
+const TINY = matchMedia("(max-width: 480px) and (max-height: 400px)");
 /** Windows in which the panel would take half of the canvas: it is a button there, which opens it over the body. */
 const SMALL = matchMedia("(min-width: 577px) and (max-width: 720px) and (max-height: 480px)");
 /** Key under which the browser's tab stores whether its user has folded the panel. */
@@ -69,8 +71,9 @@ class Panel {
     this.find.classList.add("softrod-floats");
     this.over = make("div", "softrod-over");
     this.over.append(this.scene, this.find);
-    /** @type {Height} */
-    this.height = "half";
+    /** The height at which the user has put the sheet; null before that. @type {Height | null} */
+    this.put = null;
+    this.inLesson = false;
     /** Whether the user has folded it; null before that was chosen. @type {boolean | null} */
     this.chosen = { 0: false, 1: true }[kept(FOLDED) ?? ""] ?? null;
   }
@@ -79,12 +82,15 @@ class Panel {
     overCanvas().append(this.over);
     document.body.append(this.element);
     overCanvas().append(this.unfolds);
-    onMessage("pageState", () => {
+    onMessage("pageState", ({ lesson }) => {
+      // A lesson begins with its question.
+      if (lesson && !this.inLesson && this.put === "closed") this.put = null;
+      this.inLesson = Boolean(lesson);
       this.help.hidden = !has("help");
       this.showOver();
       this.show();
     });
-    for (const size of [SHEET, SMALL]) size.addEventListener("change", () => (this.showOver(), this.show()));
+    for (const size of [SHEET, SMALL, TINY]) size.addEventListener("change", () => (this.showOver(), this.show()));
     // A tab that is pressed is wanted in sight.
     this.controls.addEventListener("click", ({ target }) => {
       if (target instanceof Element && target.closest("[role=tab]") && this.height === "closed") this.go("half");
@@ -96,6 +102,11 @@ class Panel {
   /** A lesson needs its panel wherever it is. */
   get isFolded() {
     return this.chosen ?? (SMALL.matches && !pageState().lesson);
+  }
+
+  /** The height of the sheet. @returns {Height} */
+  get height() {
+    return this.put ?? (TINY.matches && !this.inLesson ? "closed" : "half");
   }
 
   /** True if there is nothing in it. */
@@ -139,7 +150,7 @@ class Panel {
 
   /** Moves the sheet. @param {Height} height */
   go(height) {
-    this.height = height;
+    this.put = height;
     this.show();
   }
 
