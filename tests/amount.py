@@ -1,5 +1,8 @@
 """How much is tested of what could be tested for hours: by day a part, each day another, and by night all.
 
+So a whole run by day stays within minutes. What breaks is found within as many days as there are parts, and
+by night at once.
+
 `tests/run.sh --night` sets `SOFTROD_NIGHT`; `SOFTROD_DAY=20000` runs what a certain day did.
 """
 

@@ -247,7 +247,7 @@ def main(arguments: list[str]) -> int:
 
 
 def run(arguments: list[str]) -> int:
-    """The same, also where whoever reads it stops, as `head` does."""
+    """Run `main`; return 1 where the reader of its output stops, as `head` does."""
     try:
         status = main(arguments)
         sys.stdout.flush()

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ..session.plots import Plot, PlotWindow
 from ..stage.colors import palette
-from ..words import say
+from ..words import joined, say
 
 SIZE = 7.0, 4.2
 """Width and height, inches."""
@@ -55,15 +55,14 @@ def plot_png(
     for quantity, fit in zip(plot.quantities, fits, strict=False):
         axes[units.index(quantity.unit)].plot(places, fit(places), color="black", linewidth=1.0)
     for axis, unit, turned in zip(axes, units, plot.turned, strict=True):
-        names = ", ".join(q.name for q in plot.quantities[:count] if q.unit == unit)
-        label = f"{names}, {unit}" if unit else names
+        label = joined((*(q.name for q in plot.quantities[:count] if q.unit == unit), unit))
         if turned:
             label = say("measure-axis-downwards", label=label)
         axis.set_ylabel(label, parse_math=False)  # a $ is a $
         if turned:
             axis.invert_yaxis()
     last = plot.quantities[-1]
-    over = f"{last.name}, {last.unit}" if last.unit else last.name
+    over = joined((last.name, last.unit))
     left.set_xlabel(over if plot.spec.over else say("measure-axis-time"), parse_math=False)
     left.set_title(title, parse_math=False)
     left.grid(color=palette("softrod", dark=False).css("line"), linewidth=0.8)
@@ -95,7 +94,7 @@ def spectrum_png(
     FigureCanvasAgg(figure)
     axis = figure.add_subplot()
     for quantity, values, color in zip(plot.quantities, amplitudes, colors, strict=False):
-        label = f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name
+        label = joined((quantity.name, quantity.unit))
         axis.plot(frequencies, values, color=color, label=label, linewidth=1.4)
     for frequency, height, label in peaks:
         axis.annotate(label, (frequency, height), (0, 3), textcoords="offset points", ha="center", fontsize=9)

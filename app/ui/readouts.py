@@ -144,9 +144,8 @@ def joint_table(session: Session) -> str:
         "rest_angle": decimal(f"{float(simulation.rest_angles[session.joint]):+.2f}°"),
     }
     # Named as in plots; numbers count from 0 everywhere.
-    rows = [
-        f"<tr><td>joint{session.joint}</td><td>{html.escape(say('card-of', count=len(angles)))}</td></tr>"
-    ]
+    which = html.escape(say("card-of", count=len(angles)))
+    rows = [f'<tr><td translate="no">joint{session.joint}</td><td>{which}</td></tr>']
     rows += [
         f"<tr><td>{html.escape(say(_NAMES[key]))}</td><td>{values[key]}</td></tr>"
         for key in simulation.scene.view.readouts

@@ -33,6 +33,7 @@ from tests.app.clips import swing
 from tests.app.command import Softrod, refused
 from tests.app.html_pages import held
 from tests.app.pages import answered
+from tests.page.check import NODE
 
 ROPE = sim.rope(masses=5, length=200.0)
 
@@ -221,7 +222,7 @@ def test_what_is_loaded_later_shares_its_modules_with_what_is_there(tmp_path: Pa
         target = tmp_path / "made" / path.relative_to(tmp_path)
         target.parent.mkdir(parents=True)
         target.write_text(text)
-    run = subprocess.run(["node", tmp_path / "made" / "pages" / "main.mjs"], capture_output=True, text=True)
+    run = subprocess.run([NODE, tmp_path / "made" / "pages" / "main.mjs"], capture_output=True, text=True)
     assert run.stdout == "2 40 3\n", run.stderr
     with pytest.raises(BundleError, match="alone cannot load"):
         bundle(tmp_path / "pages" / "main.mjs")

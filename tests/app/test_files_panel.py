@@ -56,7 +56,9 @@ def test_a_file_that_waits_for_others_is_said_to_be_prepared(monkeypatch: pytest
         others.wait(10.0)
 
     file_worker.submit(wait)
-    client.gui[say("files-body-as")].enter(say("files-json"))
-    assert said.wait(5.0)
-    others.set()
+    try:
+        client.gui[say("files-body-as")].enter(say("files-json"))
+        assert said.wait(5.0)
+    finally:
+        others.set()
     assert told[0].title == "The file is being prepared"

@@ -48,17 +48,19 @@ def test_how_far_a_fit_has_come_is_said_in_the_language_of_the_page(monkeypatch:
 
     monkeypatch.setattr(sim, "fit", fit)
     monkeypatch.setattr(panel, "is_ready", lambda _: True)
-    with speaking("de"):
-        page = WholePage("pendulum")
-        page.shown(Part("file", 1, 1, packed("run.csv", b"t,mass1.x\n0,400\n0.1,410\n0.2,420\n")))
-        end = time.monotonic() + 30.0
-        while "Anpassen" not in page.gui and time.monotonic() < end:  # another thread reads it
-            page.shown()
-        page.enter("Längenmaßstab", True)
-        page.enter("Anpassen")
-        told = ""
-        while "Anfang" not in told and "beginnen ist" not in told and time.monotonic() < end:
-            page.shown()
-            told = " ".join(str(one.content) for one in page.gui.there if one.kind == "html")
-    over.set()
+    told = ""
+    try:
+        with speaking("de"):
+            page = WholePage("pendulum")
+            page.shown(Part("file", 1, 1, packed("run.csv", b"t,mass1.x\n0,400\n0.1,410\n0.2,420\n")))
+            end = time.monotonic() + 30.0
+            while "Anpassen" not in page.gui and time.monotonic() < end:  # another thread reads it
+                page.shown()
+            page.enter("Längenmaßstab", True)
+            page.enter("Anpassen")
+            while "wo zu beginnen ist" not in told and time.monotonic() < end:
+                page.shown()
+                told = " ".join(str(one.content) for one in page.gui.there if one.kind == "html")
+    finally:
+        over.set()
     assert "wo zu beginnen ist" in told

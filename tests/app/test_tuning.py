@@ -325,10 +325,12 @@ def test_a_wish_is_said_to_be_worked_on_at_once_also_while_it_waits() -> None:
         others.wait(10.0)
 
     worker.submit(wait)
-    page.made["Calm after"].enter(0.5)
-    page.panel.refresh()
-    assert "is being found out" in page.text and "slowest vibration" in page.text
-    others.set()
+    try:
+        page.made["Calm after"].enter(0.5)
+        page.panel.refresh()
+        assert "is being found out" in page.text and "slowest vibration" in page.text
+    finally:
+        others.set()
     page.settle()
     assert "is being found out" not in page.text
 

@@ -1,4 +1,4 @@
-"""A server with a class."""
+"""A server with a class, and scripts that measure its wall."""
 
 from __future__ import annotations
 
@@ -13,6 +13,13 @@ from app.classroom import kept
 from app.classroom.live import Class, Classes
 from app.server.serve import serving
 from sim.compiling.compiler import ENTRY_POINTS
+
+HEIGHTS = "dots => dots.map((dot) => Number(dot.getAttribute('cy')))"
+"""How far down the dots of a reveal are."""
+
+LETTERS = """plot => Math.min(...[...plot.querySelectorAll("text")].map((text) =>
+  parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a / innerHeight))"""
+"""The smallest letters of a class's plot, by the height of the window."""
 
 
 @contextmanager

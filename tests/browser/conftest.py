@@ -246,7 +246,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """A test that fails is run once more, since a browser on a loaded machine is late now and then. The
     summary names it all the same: it is to wait for what it looks at.
 
-    By day, a fifth of the tests of each file run, the next days the others, unless few are asked for.
+    By day, a fifth of the tests of each file run, the next days the others, unless few are asked for. So a
+    whole run stays within minutes; what breaks is found within five days, and by night at once.
     """
     here = [item for item in items if item.path.is_relative_to(Path(__file__).parent)]
     counts: Counter[Path] = Counter()

@@ -30,7 +30,7 @@ from tests.amount import part_of
 from tests.app.classrooms import Teacher
 from tests.app.test_room import an_answer
 from tests.browser.between_frames import FRAME_LOCK
-from tests.browser.classrooms import serving_class
+from tests.browser.classrooms import HEIGHTS, LETTERS, serving_class
 from tests.browser.driver import LIMIT, rough_context, until
 from tests.browser.layout import TOUCHED
 from tests.browser.test_pseudo import faults
@@ -636,9 +636,7 @@ def test_the_wall_shows_all_of_a_run_in_letters_for_the_last_row(
     with FRAME_LOCK:
         for number in (1, 2):
             room.take(room.enter(f"{number:032x}").number, an_answer(number, Work(found=2.0, setting=number)))
-    sizes = """plot => [...plot.querySelectorAll("text")].map((text) =>
-      parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a)"""
-    assert min(side.locator(".softrod-class-plot").evaluate(sizes)) >= size[1] / 36
+    assert side.locator(".softrod-class-plot").evaluate(LETTERS) >= 1 / 36
 
 
 def test_the_reveal_has_a_strip_of_its_own_beside_the_body(school: School) -> None:
@@ -672,9 +670,7 @@ def test_the_reveal_has_a_strip_of_its_own_beside_the_body(school: School) -> No
     }"""
     until(wall, lambda: wall.evaluate(beside), "dots and texts are beside the body")
     # Each a pixel below the one before.
-    heights = wall.locator(".softrod-reveal circle").evaluate_all(
-        "dots => dots.map((dot) => Number(dot.getAttribute('cy')))"
-    )
+    heights = wall.locator(".softrod-reveal circle").evaluate_all(HEIGHTS)
     assert np.diff(heights) == pytest.approx((heights[-1] - heights[0]) / 11)
     assert heights[-1] > heights[0]
 

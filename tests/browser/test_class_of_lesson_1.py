@@ -18,15 +18,13 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.amount import NIGHT
+from tests.browser.classrooms import HEIGHTS, LETTERS
 from tests.browser.driver import LIMIT, rough_context, until
 
 pytestmark = pytest.mark.skipif(not NIGHT, reason="takes a minute: by day its parts are tested")
 expect.set_options(timeout=LIMIT * 1e3)
 
 PHONE, LYING, LAPTOP, DESK, WALL = (390, 844), (844, 390), (1280, 720), (1280, 720), (1920, 1080)
-HEIGHTS = "dots => dots.map(dot => Number(dot.getAttribute('cy')))"
-LETTERS = """plot => Math.min(...[...plot.querySelectorAll("text")].map((text) =>
-    parseFloat(getComputedStyle(text).fontSize) * text.getScreenCTM().a / innerHeight))"""
 
 
 @dataclass

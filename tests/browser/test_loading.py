@@ -18,6 +18,11 @@ NOTES = """
 """
 """Notes what there is when the loading page goes."""
 
+TRANSFERRED = """() => ["navigation", "resource"]
+  .flatMap((kind) => performance.getEntriesByType(kind))
+  .reduce((sum, one) => sum + one.transferSize, 0)"""
+"""Bytes of a page and of all that it loaded, as they came; what the browser still had counts nothing."""
+
 
 def test_a_page_says_that_it_is_loading_until_body_and_panel_are_there(
     browser: Browser, serve: Serve
@@ -76,10 +81,6 @@ def test_another_language_is_loaded_without_what_all_languages_share(browser: Br
     assert then < 60_000 < 600_000 < first, "bytes as they come, packed"
     context.close()
 
-
-TRANSFERRED = """() => ["navigation", "resource"]
-  .flatMap((kind) => performance.getEntriesByType(kind))
-  .reduce((sum, one) => sum + one.transferSize, 0)"""
 
 OF_VISER = """() => {
   const canvas = window.__softrod.canvas();

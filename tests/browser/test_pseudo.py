@@ -13,10 +13,12 @@ from app.export.clip import Clip
 from app.export.live.live import live_html
 from app.export.replay import replay_html
 from app.export.teacher_sheet import sheet_html
+from app.session.plots import OFFERED
 from app.site import pages
 from app.site.entries import shown
 from app.site.folder import Folder
 from app.words import PSEUDO, speaking
+from sim.motion.quantities import COUNTED
 from tests.amount import part_of
 from tests.app.clips import swing
 from tests.browser import seen
@@ -25,12 +27,18 @@ from tests.browser.driver import Desk
 from tests.browser.layout import TOUCHED
 
 SIZES = tuple(TOUCHED)
+QUANTITIES = "|".join(
+    rf"\b{of}{'[0-9]+' if of in COUNTED else ''}\.(?:{'|'.join(offered)})\b"
+    for of, offered in OFFERED.items()
+)
+"""A pattern of the names of quantities, which are the same in all languages."""
 
 
 def faults(page: Page) -> set[tuple[str, ...]]:
     """What is plain or cut on a page as it is now; a list of names that ends in dots is neither."""
     page.wait_for_timeout(300)
-    found = {(what, *one.values()) for what in ("plain", "cut") for one in seen.ask(page, what)}
+    questions = (("plain", QUANTITIES), ("cut",))
+    found = {(what, *one.values()) for what, *given in questions for one in seen.ask(page, what, *given)}
     return {one for one in found if not one[2].endswith("…")}
 
 

@@ -51,6 +51,9 @@ SPACED = """(on) => {
   document.adoptedStyleSheets.push(sheet);
 }"""
 
+SLIDE, LINES = 16 / 9, 44
+"""Of the wall: width by height, and in how many lines of its smallest letters; see docs/access.md."""
+
 STOPS = 25
 """Presses of Tab."""
 
@@ -239,7 +242,7 @@ def test_all_letters_grow_with_those_of_the_browser(all_places: Places, name: st
     if place.touch:
         pytest.skip("phones enlarge the whole page")
     if name == "wall":
-        pytest.skip("its letters are as large as there is room anyway: those of a slide")
+        pytest.skip("its letters are as large as there is room anyway: the next test measures them")
     page, _ = shown(all_places, name)
     usual = page.evaluate(TEXTS)
     page.context.new_cdp_session(page).send("Page.setFontSizes", {"fontSizes": {"standard": LARGE}})
@@ -253,6 +256,19 @@ def test_all_letters_grow_with_those_of_the_browser(all_places: Places, name: st
     assert both
     assert {text: (usual[text], large[text]) for text in both if large[text] < 1.95 * usual[text]} == {}
     assert faults == []
+
+
+def test_the_wall_s_letters_are_those_of_a_slide_in_each_phase(all_places: Places) -> None:
+    page, place = shown(all_places, "wall")
+    least = min(place.size[1], place.size[0] / SLIDE) / LINES
+    found, small = 0, {}
+    for phase in all_places.states("wall"):
+        texts = page.evaluate(TEXTS)
+        found += len(texts)
+        small |= {(phase, text): size for text, size in texts.items() if size < least - 0.01}
+    all_places.close()
+    assert found > 20
+    assert small == {}
 
 
 TARGETS = """() => Object.fromEntries([...document.querySelectorAll("button, select, input, summary")]

@@ -1,6 +1,6 @@
 // What of a page can be seen and pressed, by words, roles and places alone, so that it serves any page.
 // Evaluates to an object: pressables(), small(least), crowded(least), covered(),
-// sideways(), unreached(within), cut(), zooms(), plain(); each entry is plain data.
+// sideways(), unreached(within), cut(), zooms(), plain(names); each entry is plain data.
 (() => {
   const PRESSABLE =
     "button, a[href], input:not([type=hidden]), select, textarea, summary, [role=button], [role=tab], [role=switch], " +
@@ -288,12 +288,17 @@
   };
 
   // Words in plain letters on a page in pseudo-English, whose own words have accents: what no message says. Names,
-  // addresses, codes and what is in a language of its own are marked as such.
-  const plain = () => {
+  // addresses, codes and what is in a language of its own are marked as such; names of quantities also stand in
+  // sentences, and `names` has a pattern of these. A list is of no raw names of parts, though it marks them. Of the
+  // units, "min" alone is long enough for a word.
+  const plain = (names) => {
+    const [quantity, part] = [new RegExp(names, "g"), /^(?:joint|mass|spring)\d+$/];
     const found = new Map();
     const look = (element, text) => {
-      if (element.closest("[translate=no], code, script, style, noscript, [lang]:not(html)") || !isShown(element)) return;
-      const words = (text ?? "").replace(/https?:\S+|\b[a-z]+\d*\.[a-z_]+|\b[a-z]+\d+\b/g, "").match(/\p{L}+/gu) ?? [];
+      const isListed = element.localName === "option" && part.test(text);
+      if (element.closest("[translate=no], code, script, style, noscript, [lang]:not(html)") && !isListed) return;
+      if (!isShown(element.closest("select") ?? element)) return;
+      const words = (text ?? "").replace(/https?:\S+|\d min\b/g, "").replace(quantity, "").match(/\p{L}+/gu) ?? [];
       if (words.some((word) => /^[A-Za-z]{3,}$/.test(word) && /[aceinouydgklrstz]/.test(word))) found.set(tidy(text), element);
     };
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);

@@ -1,4 +1,4 @@
-// Numbers and typed texts keep their direction in a page from right to left.
+// Numbers keep their direction in a page from right to left.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import "./page.mjs";

@@ -32,9 +32,10 @@ test("letters act where they are printed", () => {
   assert.equal(does(",", "KeyW"), "back");
   assert.equal(does(".", "KeyE"), "forward");
   assert.equal(does(FREE, "Comma"), undefined);
-  // AZERTY: the comma is where M is, the point is above the semicolon, and zero above à.
+  // AZERTY: the comma is where M is, the semicolon where the comma is, the point above it, and zero above à.
   assert.equal(does(",", "KeyM"), "back");
   assert.equal(does(".", "Comma"), "forward");
+  assert.ok(!["back", "forward"].includes(does(";", "Comma")), "neither by its place nor by what is above it");
   assert.equal(does("à", "Digit0"), "fit");
   assert.equal(does("0", "Digit0"), "fit");
 });
