@@ -132,6 +132,7 @@ def test_what_is_said_or_typed_does_nothing_while_letters_are_no_keys(open_page:
     desk.page.keyboard.press("Escape")
     desk.page.evaluate("document.activeElement.blur()")
     desk.tell(commands.Play(False))
+    desk.until(lambda: "Paused" in desk.page.evaluate(SHOWN), "the page is as it stays")
     desk.rest(2)
     before = desk.page.evaluate(SHOWN), desk.simulation.time, desk.session.scene
     desk.page.keyboard.type(MANY)

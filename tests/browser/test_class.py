@@ -683,9 +683,57 @@ def test_a_prediction_that_was_moved_is_handed_in_as_the_answers_are_shown(schoo
     pupil.keyboard.press("ArrowDown")
     expect(pupil.locator("[data-focus=predict]")).to_be_enabled()
     go(Phase.RESULTS)
-    expect(pupil.locator(".softrod-handed")).to_have_text(
-        "The answers are shown: your prediction was handed in as you had moved it."
+    handed = pupil.locator(".softrod-handed")
+    expect(handed).to_have_count(2)
+    assert (
+        handed.last.inner_text()
+        == "The answers are shown: your prediction was handed in as you had moved it."
     )
     until(pupil, lambda: len(room.given(0, 0, Prediction)) == 1, "it is there")
     [(_, prediction)] = room.given(0, 0, Prediction)
-    assert prediction.points[1][1] > 200.0
+    lower = prediction.points[1][1] - school.classroom.scene(0).masses[1].position[1]
+    assert lower > 0.0
+    assert handed.first.inner_text() == f"Handed in: {lower:.3g}\u00a0px lower."
+
+
+def test_a_pupil_reads_what_was_predicted_while_it_is_moved_again_and_when_all_see_it(school: School) -> None:
+    room, go = school.classroom.room, school.led()
+    pupil = school.open(seat_address(school.base, room.code), LAPTOP)
+    go(Phase.ASK)
+    grip, made = pupil.locator(".softrod-own-prediction circle"), pupil.locator("[data-focus=predict]")
+    grip.focus()
+    pupil.keyboard.press("ArrowDown")
+    made.click()
+    until(pupil, lambda: "Your prediction is in" in made.inner_text(), "it is handed in")
+    place = made.inner_text().partition(": ")[2]
+    assert pupil.locator(".softrod-handed").count() == 0
+    grip.focus()
+    pupil.keyboard.press("ArrowDown")
+    handed = pupil.locator(".softrod-handed")
+    expect(handed).to_have_text(f"Handed in: {place}.")
+    pupil.reload()
+    for phase in (Phase.RESULTS, Phase.RUN, Phase.REVEAL):
+        go(phase)
+        until(pupil, lambda: handed.count() == 1, f"it is told in {phase}")
+        assert handed.inner_text() == f"Handed in: {place}."
+
+
+def test_a_pupil_reads_the_description_of_the_body_too(school: School) -> None:
+    room, go = school.classroom.room, school.led()
+    pupil = school.open(seat_address(school.base, room.code), PHONE)
+    go(Phase.TRY)
+    expect(pupil.locator(".softrod-task")).to_have_text("Try it: this body is yours.")
+    pupil.keyboard.press("Shift+D")
+    card = pupil.locator(".softrod-described")
+    expect(card).to_contain_text("A chain of")
+    stage = pupil.locator("#stage").bounding_box()
+    box = card.bounding_box()
+    assert stage and box
+    assert stage["y"] <= box["y"] and box["y"] + box["height"] <= stage["y"] + stage["height"], (
+        "over the body"
+    )
+    pupil.keyboard.press("Escape")
+    expect(card).to_be_hidden()
+    pupil.keyboard.press("Shift+D")
+    card.get_by_role("button").click()
+    expect(card).to_be_hidden()

@@ -16,7 +16,6 @@ from app.classroom.axes import axes_of
 from app.classroom.live import Class, PupilStatus, SharedView, is_key
 from sim.errors import InputError, SettingError
 
-from ...lessons import read_masses
 from ...pages.check.page import check_address
 from ...session import commands
 from ...session.log import decode_log
@@ -41,6 +40,7 @@ from .role import (
     lesson_names,
     moved_text,
     places_of,
+    predicted,
     predictions,
 )
 
@@ -427,11 +427,7 @@ class DeskRole(ClassRole):
         work = content if isinstance(content, Work) else Work()
         scene, points, text = self.classroom.scene(answer.stop), work.points, content.words
         if isinstance(content, Prediction):
-            step = self.room.step_at(answer.stop)
-            held = {anchor.mass for anchor in scene.anchors}
-            asked = (read_masses(step, scene) if step is not None else ()) or range(len(scene.masses))
-            free = [mass for mass in asked if mass not in held]
-            points = tuple(content.points[mass] for mass in free)
+            free, points = predicted(content, scene, self.room.step_at(answer.stop))
             text = moved_text(scene, free, points)
         return DeskAnswer(
             id=answer.id,

@@ -268,7 +268,7 @@ class Given(Struct, frozen=True, kw_only=True):
     Attributes:
         kind: what it is.
         choice: of a vote; else -1.
-        text: of a line, or what was found.
+        text: of a line, or what was found, or how far a prediction has moved its one mass.
         late: whether it came in after the right answer had been shown.
     """
 

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 import sim
-from app.classroom.answers import OWN_BODY, Answer, Phase, Prediction, Work
+from app.classroom.answers import OWN_BODY, Answer, Phase, Points, Prediction, Work
 from app.classroom.law import power_law
 from app.classroom.live import Class, PupilStatus, SharedView
 from app.classroom.plotted import Plotted
 from app.classroom.room import Place, Room
-from sim.scene.lesson import Question
+from sim.scene.lesson import Question, Step
 from sim.store.files import built_in_folder
 
 from ...lessons import goal_text, read_masses, reading_text, run_text
@@ -346,6 +346,20 @@ def places_of(positions: np.ndarray, scene: sim.Scene) -> tuple[tuple[int, int],
         y = 1.0 - y
     rounded = np.clip(np.rint(1000.0 * np.column_stack((x, y))), -1000, 2000).astype(int)
     return tuple((x, y) for x, y in rounded.tolist())
+
+
+def predicted(answer: Prediction, scene: sim.Scene, step: Step | None) -> tuple[list[int], Points]:
+    """Return the masses that a prediction moves, and where it puts each.
+
+    Args:
+        answer: the prediction.
+        scene: the scene as its step begins.
+        step: the step, which may ask for some masses only.
+    """
+    held = {anchor.mass for anchor in scene.anchors}
+    asked = (read_masses(step, scene) if step is not None else ()) or range(len(scene.masses))
+    free = [mass for mass in asked if mass not in held]
+    return free, tuple(answer.points[mass] for mass in free)
 
 
 def moved_text(scene: sim.Scene, masses: Sequence[int], points: Sequence[tuple[float, float]]) -> str:

@@ -49,7 +49,9 @@ from .role import (
     found_by,
     home_text,
     in_world,
+    moved_text,
     places_of,
+    predicted,
     predictions,
 )
 
@@ -289,6 +291,13 @@ class SeatRole(ClassRole):
             self.classroom.statuses[self._number] = status
             self._reading_text = self._read_out(session.scene)
 
+    def _words(self, content: AnyContent, stop: int) -> str:
+        """What was given, as the pupil reads it."""
+        if not isinstance(content, Prediction):
+            return content.words
+        scene = self.classroom.scene(stop)
+        return moved_text(scene, *predicted(content, scene, self.room.step_at(stop)))
+
     def _read_out(self, scene: sim.Scene) -> str:
         """What would be handed in now, as the pupil reads it."""
         step = self._step
@@ -463,7 +472,7 @@ class SeatRole(ClassRole):
                     twin=answer.twin,
                     kind=answer.content.kind,
                     choice=answer.content.choice if isinstance(answer.content, Vote) else -1,
-                    text=answer.content.words,
+                    text=self._words(answer.content, answer.stop),
                     late=answer.late,
                 )
                 for answer in mine

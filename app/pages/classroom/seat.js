@@ -234,9 +234,19 @@ function partsOf(seat) {
     make("p", "softrod-task", sentence(seat, asking)),
     ...(seat.on_wall ? [make("p", "softrod-on-wall", say("seat-on-wall"))] : []),
     ...body(seat, asking),
+    ...(TOLD.has(asking.phase) ? predicted(asking) : []),
     ...(TOLD.has(asking.phase) && handedIn === asking.stop ? [make("p", "softrod-handed", say("seat-handed-moved"))] : []),
     ...(refusal ? [make("p", "softrod-warning", refusal)] : []),
   ];
+}
+
+/** The prediction that was handed in, if words can tell it. @param {Asking} asking */
+function predicted(asking) {
+  const given = mine({ ...asking, round: 0 }, "Prediction");
+  if (!given?.sent || !given.text) return [];
+  // One that the page has handed in by itself was moved in time.
+  const late = lateness({ late: given.late && handedIn !== asking.stop });
+  return [make("p", "softrod-handed", say("seat-handed.text", { text: given.text, late }))];
 }
 
 /** What stands below sliders and plots. @param {Seat} seat @returns {HTMLElement[]} */
@@ -366,7 +376,7 @@ function predictButton(asking) {
   const steps = STEPS.map(([sign, name, label, across, up]) =>
     button(sign, () => prediction.stepBy(across, up), { focus: `step ${name}`, label: say(label) }),
   );
-  return [...(prediction.isSingle ? [box("div", "softrod-steps", ...steps)] : []), made];
+  return [...(prediction.isSingle ? [box("div", "softrod-steps", ...steps)] : []), made, ...(prediction.moved ? predicted(asking) : [])];
 }
 
 /** @param {Asking} asking */
