@@ -187,7 +187,7 @@ def test_a_lesson_from_the_door_to_the_zip(school: School) -> None:
     expect(pupil.locator(".softrod-seat-name")).to_have_text(name)
     expect(pupil.locator("[data-focus=choice1]")).to_have_attribute("aria-pressed", "true")
     expect(pupil.locator(".softrod-waiting")).to_have_count(0)
-    expect(wall.locator(".softrod-wall-count")).to_have_text("1 of 1 have answered")
+    expect(wall.locator(".softrod-wall-count")).to_have_text("1 of 1 has answered")
     assert wall.locator(".softrod-bars b").count() == 0
     assert wall.locator(".softrod-predictions path").count() == 0
     school.stands_out("ask")
@@ -516,7 +516,7 @@ def test_the_pages_of_one_class_have_their_own_languages(school: School) -> None
     go(Phase.ASK)
     expect(wall.locator(".softrod-wall-count")).to_have_text("0 von 1 haben geantwortet")
     pupil.locator("[data-focus=choice1]").click()
-    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 haben geantwortet")
+    expect(wall.locator(".softrod-wall-count")).to_have_text("1 von 1 hat geantwortet")
     go(Phase.REVEAL)
     verdict = "Du hast gewählt: at 240. Die richtige Antwort: at 240. Energy."
     expect(pupil.locator(".softrod-verdict")).to_have_text(verdict)

@@ -13,6 +13,8 @@ from tests.browser.conftest import OpenPage
 from tests.browser.driver import Desk, Point, box_of, middle_of
 
 DESK, PHONE = (1280, 800), (390, 844)
+TREMBLES = 350.0
+"""Milliseconds after which a second tap near a thing is meant."""
 
 
 def begin(open_page: OpenPage, scene: str = "tutorial-3.3", phone: bool = False, plays: bool = False) -> Desk:
@@ -50,6 +52,7 @@ def pick_up(desk: Desk, at: Point, name: str) -> None:
     tap(desk, at)
     desk.until(lambda: f"Picked up: {name}" in note(desk).inner_text(), f"{name} is picked up")
     assert said(desk, f"Picked up: {name}")
+    desk.page.wait_for_timeout(TREMBLES)
 
 
 def put(desk: Desk, start: Point, end: Point, name: str) -> None:
@@ -122,6 +125,18 @@ def test_a_tap_that_slips_picks_up_what_stays_where_it_was(open_page: OpenPage) 
     desk.until(lambda: off(desk, 11, (x + 60.0, y)) < 1.5, "it is with the pointer")
     mouse.up()
     assert note(desk).is_hidden()
+
+
+def test_a_second_tap_of_a_hand_that_trembles_changes_nothing(open_page: OpenPage) -> None:
+    desk = begin(open_page)
+    x, y = desk.place(11)
+    for _ in range(2):
+        desk.page.mouse.click(x, y)
+    desk.until(lambda: "Picked up: mass 11" in note(desk).inner_text(), "it is picked up")
+    desk.page.wait_for_timeout(TREMBLES)
+    assert note(desk).is_visible()
+    tap(desk, (x, y))
+    desk.until(note(desk).is_hidden, "a later tap puts it back")
 
 
 def test_a_tool_puts_down_the_selection_that_a_tap_picked_up(open_page: OpenPage) -> None:

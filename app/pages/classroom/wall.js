@@ -131,7 +131,10 @@ function count({ asking: { phase }, seats, answered }) {
   const waits = WAITS[/** @type {keyof typeof WAITS} */ (phase)];
   if (!waits) return [];
   const rings = box("div", "softrod-rings", ...Array.from({ length: seats <= MAX_RINGS ? seats : 0 }, (_, i) => make("i", i < answered ? "softrod-done" : "")));
-  return [box("p", "softrod-wall-count", ...sayWith(waits, { done: make("b", "", String(answered)), all: seats })), rings];
+  // Said as a number it chooses the form of the sentence; it is made bold after that.
+  const parts = say(waits, { done: answered, all: "\0" }).split(/(\d+|\0)/);
+  const words = parts.map((part) => (part === "\0" ? String(seats) : /\d/.test(part) ? make("b", "", part) : part));
+  return [box("p", "softrod-wall-count", ...words), rings];
 }
 
 /** @param {Wall} wall @returns {Element[]} */

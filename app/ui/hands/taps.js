@@ -23,6 +23,8 @@ const STRIDE = 30;
 const [LEAST, MOST] = [4, 24];
 /** Milliseconds for which it is held there: a mass is put down, not thrown. */
 const RESTS = 150;
+/** Milliseconds in which a second tap on what was just picked up comes from a hand that trembles. */
+const TREMBLES = 300;
 /** Milliseconds for which it is said that nothing is there. */
 const SAID = 5000;
 /** What works as ever while something is picked up, and does not say where it goes. */
@@ -42,6 +44,8 @@ let missed = null;
 let said;
 /** What is picked up. @type {Drag | null} */
 let held = null;
+/** When that was, by the clock of events. */
+let since = 0;
 /** The pointer that is about to say where it goes, or -1. */
 let tapping = -1;
 /** Whether it is on its way. */
@@ -197,6 +201,7 @@ function up(event) {
     tapping = -1;
     if (type === "pointercancel") return;
     isDone = true;
+    if (event.timeStamp - since <= TREMBLES && areNear(event, held.start, SLIP)) return;
     if (areNear(event, held.start)) putBack("pointerup");
     else go(held, placeOf(event));
   } else if (missed?.pointerId === pointerId) {
@@ -207,6 +212,7 @@ function up(event) {
     if (type === "pointercancel" || !isTap(drag, event)) return;
     event.stopImmediatePropagation();
     isDone = true;
+    since = event.timeStamp;
     pickUp(drag);
   }
 }

@@ -241,9 +241,18 @@ class-told-at = { $day } { $month ->
 ## The wall: what all see on the projector.
 
 # Also on the teacher's desk.
-class-answered = { $done } of { $all } have answered
-class-wrote = { $done } of { $all } have written a line
-class-handed-in = { $done } of { $all } have handed in
+class-answered = { $done ->
+    [one] { $done } of { $all } has answered
+   *[other] { $done } of { $all } have answered
+  }
+class-wrote = { $done ->
+    [one] { $done } of { $all } has written a line
+   *[other] { $done } of { $all } have written a line
+  }
+class-handed-in = { $done ->
+    [one] { $done } of { $all } has handed in
+   *[other] { $done } of { $all } have handed in
+  }
 wall-nobody = Nobody yet? Networks may keep devices apart: try this laptop's hotspot.
 wall-way-in = Open { $address } and type { $code }
 # The code stands below, large.
