@@ -83,11 +83,9 @@ export class Plot extends Control {
   constructor(declared) {
     super(declared, "softrod-plot");
     this.svg = makeSvg("svg", "softrod-chart");
-    this.svg.setAttribute("role", "img");
     this.svg.removeAttribute("aria-hidden");
     this.svg.tabIndex = 0;
     this.svg.ariaDescription = say("ui-plot-keys");
-    this.svg.removeAttribute("aria-hidden");
     this.values = make("div", "softrod-plot-values");
     this.values.id = newId();
     this.element.append(this.svg, this.values, numbersOf(() => this.told));
@@ -258,7 +256,11 @@ export class Plot extends Control {
     this.cursor = makeSvg("path", "softrod-heard");
     this.svg.replaceChildren(back, ...parts, ...curves, this.mark, this.cursor);
     const { along, curves: told } = this.told;
-    this.svg.setAttribute("aria-label", told.map((curve) => sentenceOf(curve, along)).join(" "));
+    const label = told.map((curve) => sentenceOf(curve, along)).join(" ");
+    this.svg.setAttribute("aria-label", label);
+    // Without a value there is no picture to be named.
+    if (label) this.svg.setAttribute("role", "img");
+    else this.svg.removeAttribute("role");
     this.read();
     this.hear(this.heard);
   }
