@@ -134,14 +134,12 @@ def describe(simulation: Moving, scene: Scene) -> Description:
     mass = system.body.environment.mass[index]
     broken = broken_springs(simulation, scene)
     strains = _strains(simulation, scene, broken)
-    bodies = _Masses(
-        x, v, mass, {anchor.mass for anchor in scene.anchors}, -1.0 if scene.view.y_down else 1.0
-    )
+    body = _Masses(x, v, mass, {anchor.mass for anchor in scene.anchors}, -1.0 if scene.view.y_down else 1.0)
     return Description(
         time=simulation.time,
-        pieces=_pieces(scene, broken, bodies),
+        pieces=_pieces(scene, broken, body),
         box=(x.real.min(), x.imag.min(), x.real.max(), x.imag.max()),
-        motion=bodies.motion(np.arange(len(x))),
+        motion=body.motion(np.arange(len(x))),
         stretched=_largest(strains, 1.0),
         squeezed=_largest(strains, -1.0),
         broken=int(broken.sum()),
@@ -229,7 +227,7 @@ def touches(simulation: Moving) -> dict[str, NDArray[np.complex128]]:
 
 
 # ------------------------------------------------------------------------- pieces
-def _pieces(scene: Scene, broken: NDArray[np.bool_], bodies: _Masses) -> tuple[Piece, ...]:
+def _pieces(scene: Scene, broken: NDArray[np.bool_], body: _Masses) -> tuple[Piece, ...]:
     """The pieces, those with most masses first, then by their first mass."""
     ends = [(s.a, s.b) for s, gone in zip(scene.linear_springs, broken, strict=True) if not gone]
     part = _connected(len(scene.masses), ends)
@@ -244,7 +242,7 @@ def _pieces(scene: Scene, broken: NDArray[np.bool_], bodies: _Masses) -> tuple[P
     found = []
     for first in np.unique(part):
         masses = np.flatnonzero(part == first)
-        lines, own = int(springs[first]) if ends else 0, sorted(bodies.held.intersection(masses.tolist()))
+        lines, own = int(springs[first]) if ends else 0, sorted(body.held.intersection(masses.tolist()))
         most = int(degree[masses].max())
         loops = lines - masses.size + 1
         found.append(
@@ -255,8 +253,8 @@ def _pieces(scene: Scene, broken: NDArray[np.bool_], bodies: _Masses) -> tuple[P
                 joints=int(turning[first]),
                 loops=loops,
                 held=tuple(own),
-                sides=tuple(_sides(bodies.x[masses], bodies.x[own], bodies.up)),
-                motion=bodies.motion(masses),
+                sides=tuple(_sides(body.x[masses], body.x[own], body.up)),
+                motion=body.motion(masses),
             )
         )
     return tuple(sorted(found, key=lambda piece: (-len(piece.masses), piece.masses[0])))
