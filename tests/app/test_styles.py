@@ -187,13 +187,13 @@ def test_the_types_of_every_script_are_checked() -> None:
 
 
 def test_what_a_page_loads_first_stays_small() -> None:
-    """Packed, with the words of one language, and besides viser's script: some 155 and 68 kB."""
+    """Packed, with the words of one language, and besides viser's script: some 155 and 67 kB."""
     sizes = {path.rpartition("softrod/")[2].partition("/")[2]: file for path, file in page_files().items()}
     script, of_class = (len(sizes[f"pages/{name}/main.js"].content) for name in ("sandbox", "classroom"))
     for tag in languages():
         page, class_page = (translated(path, tag) or page_files()[path] for path in ("/", CLASS))
         assert len(page.content) + script < 162_000, tag
-        assert len(class_page.content) + of_class < 71_000, tag
+        assert len(class_page.content) + of_class < 69_000, tag
 
 
 def test_scripts_are_sent_as_one_without_comments_and_types() -> None:

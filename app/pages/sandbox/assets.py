@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ...bundle import bundles, compact_style
 from ...gate.gate import CHECK, CLASS, PAGE_PATHS, VIDEO, GateError, StaticFile
-from ...stage.looks import style_rules
+from ...stage.looks import style_rules, used_rules
 from ...viser_inside import PLACE, page_script
 from ...words import ENGLISH, localized
 from ..check.page import check_page
@@ -43,7 +43,7 @@ _FIRST_SHEETS = (
     "ui/described.css",
     "ui/hands/taps.css",
 )
-_LAST_SHEETS = ("features/classroom/classroom.css", "ui/looks.css")
+_LAST_SHEETS = ("features/classroom/classroom.css", "features/classroom/desk.css", "ui/looks.css")
 """Style sheets of no feature, before and after those of features; later ones take precedence."""
 
 
@@ -134,7 +134,9 @@ def page_in(path: str, language: str) -> StaticFile:
         GateError: viser's page differs from the known version.
     """
     make, script = _PAGES.get(path, (_index, _MAIN))
-    page = localized(make(_folder()), language, "\n".join(_scripts(script).values()))
+    scripts = "\n".join(_scripts(script).values())
+    [page] = used_rules([make(_folder())], scripts)
+    page = localized(page, language, scripts)
     return StaticFile(gzip.compress(page.encode(), mtime=0), "text/html", "no-cache")
 
 
