@@ -649,8 +649,13 @@ class Room(Struct, kw_only=True):
         ]
 
     def answered(self) -> set[int]:
-        """Return the numbers of the seats that have given what is asked for now."""
-        kinds = kinds_of(self.phase)
+        """Return the numbers of the seats that have given what is asked for now.
+
+        Where there is a question that is an answer, with a prediction or without.
+        """
+        step = self.step_at(self.at)
+        is_question = self.phase is Phase.ASK and step is not None and step.question is not None
+        kinds = (Vote,) if is_question else kinds_of(self.phase)
         return {answer.seat for kind in kinds for answer, _ in self.given(self.at, self.round, kind)}
 
     def bars(self, stop: int, round: int) -> list[int]:

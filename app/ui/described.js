@@ -41,6 +41,7 @@ export function makeDescribed(body) {
       tell(told);
       if (!card.contains(document.activeElement)) before = document.activeElement;
       show(true);
+      card.scrollTop = 0;
     },
   };
 }

@@ -247,6 +247,14 @@ def test_a_device_that_has_answered_takes_no_other_seat_over() -> None:
     assert room.seats[other.number] is other
 
 
+def test_where_there_is_a_question_only_an_answer_to_it_counts_as_one() -> None:
+    room, seat = asking()
+    room.take(seat.number, an_answer(1, Prediction(((0.0, 0.0),) * 4)))
+    assert room.answered() == set()
+    room.take(seat.number, an_answer(2, Vote(0)))
+    assert room.answered() == {seat.number}
+
+
 def test_a_seat_follows_only_where_it_has_a_body_of_its_own() -> None:
     room, seat = asking()
     with pytest.raises(Refused, match="All look"):

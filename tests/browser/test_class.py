@@ -737,3 +737,38 @@ def test_a_pupil_reads_the_description_of_the_body_too(school: School) -> None:
     pupil.keyboard.press("Shift+D")
     card.get_by_role("button").click()
     expect(card).to_be_hidden()
+
+
+def test_in_the_smallest_window_a_pupil_scrolls_to_the_body_and_reads_its_description(school: School) -> None:
+    room, go = school.classroom.room, school.led()
+    pupil = school.open(seat_address(school.base, room.code), (342, 192))
+    go(Phase.TRY)
+    expect(pupil.locator(".softrod-task")).to_have_text("Try it: this body is yours.")
+    pupil.locator(".softrod-phases button").nth(
+        1
+    ).click()  # Reset; it has the focus, and the card is remade as it moves
+    pupil.evaluate("scrollTo(0, 0)")
+    for _ in range(5):
+        pupil.wait_for_timeout(100)
+        assert pupil.evaluate("scrollY") == 0
+    pupil.evaluate("document.querySelector('.softrod-seat').scrollIntoView()")
+    pupil.keyboard.press("Shift+D")
+    card = pupil.locator(".softrod-described")
+    expect(card).to_contain_text("A chain of")
+    inside = """(one) => {
+      const { top, bottom, left, width } = one.getBoundingClientRect();
+      return top >= 0 && bottom <= innerHeight && one.contains(document.elementFromPoint(left + width / 2, bottom - 4));
+    }"""
+    assert card.evaluate(inside), "it is in the window, over all else"
+    card.evaluate("(one) => (one.scrollTop = 1e6)")
+    pupil.keyboard.press("Shift+D")
+    until(pupil, lambda: card.evaluate("(one) => one.scrollTop") == 0, "a new one begins at its beginning")
+
+
+def test_a_description_is_asked_for_without_a_keyboard(school: School) -> None:
+    room, go = school.classroom.room, school.led()
+    phone = school.open(seat_address(school.base, room.code), PHONE, touch=True)
+    go(Phase.TRY)
+    phone.get_by_text("This seat").tap()
+    phone.get_by_role("button", name="Describe the body").tap()
+    expect(phone.locator(".softrod-described")).to_contain_text("A chain of")

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { arrived, isFound } from "../../app/features/gallery/finding.js";
+import { arrived, isFound, meant } from "../../app/features/gallery/finding.js";
 import { caution, isOwnMachine } from "../../app/features/files/share.js";
 
 // Two rows of three, and a last one of one.
@@ -24,6 +24,15 @@ test("every word of a search is found somewhere", () => {
   const entry = { name: "flag-pole", title: "Flag and pole", line: "", text: "A flag in the Wind.", group: "Surroundings", own: false };
   for (const wanted of ["", "flag", "WIND flag", "surr", "pole-", " "]) assert.equal(isFound(entry, wanted), wanted !== "pole-");
   assert.ok(!isFound(entry, "flag water"));
+});
+
+test("the scene whose title is what was typed is meant, or else one whose title begins so", () => {
+  const found = [["lesson-resonance", "Resonance of a pendulum"], ["pendulum-two", "Pendulum of two"], ["pendulum", "Pendulum"]].map(([name, title]) => ({ name, title }));
+  assert.equal(meant(found, " pendulum "), "pendulum");
+  assert.equal(meant(found, "PEND"), "pendulum-two");
+  assert.equal(meant(found, "of"), "lesson-resonance");
+  assert.equal(meant(found, ""), "lesson-resonance");
+  assert.equal(meant([], "of"), undefined);
 });
 
 test("long links are warned of", () => {

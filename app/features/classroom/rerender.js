@@ -67,13 +67,14 @@ export class Card {
     this.#made = now;
     const focused = document.activeElement?.getAttribute("data-focus");
     this.element.replaceChildren(...this.parts());
-    return !(focused && this.focus(`[data-focus="${focused}"]`));
+    // It had the focus before: whoever has scrolled away from it stays there.
+    return !(focused && this.focus(`[data-focus="${focused}"]`, true));
   }
 
-  /** Moves the focus to an element, if there is one. @param {string} selector */
-  focus(selector) {
+  /** Moves the focus to an element, if there is one. @param {string} selector @param {boolean} [preventScroll] */
+  focus(selector, preventScroll = false) {
     const element = /** @type {HTMLElement | null} */ (this.element.querySelector(selector));
-    element?.focus();
+    element?.focus({ preventScroll });
     return element !== null;
   }
 }

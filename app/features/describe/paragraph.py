@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -107,7 +108,8 @@ def _sentences(
 ) -> Iterator[str]:
     unit, up = scene.view.unit, -1.0 if scene.view.y_down else 1.0
     left, bottom, right, top = found.box
-    yield from _pieces(found.pieces)
+    pieces = found.pieces
+    yield from _pieces(_in_order(pieces, up)[0] if 1 < len(pieces) <= _EACH else pieces)
     if len(scene.masses) > 1:
         width, height = f"{number(right - left)} {unit}", f"{number(top - bottom)} {unit}"
         if len(found.pieces) > 1:
@@ -140,7 +142,7 @@ def _sentences(
         yield from _changes(found, before, unit, up)
 
 
-def _pieces(pieces: tuple[Piece, ...]) -> Iterator[str]:
+def _pieces(pieces: Sequence[Piece]) -> Iterator[str]:
     """What there is, and what holds it; pieces that are alike are counted together."""
     kinds: defaultdict[tuple[Shape, int, int, int, int, bool], list[Piece]] = defaultdict(list)
     for one in pieces:
@@ -184,27 +186,25 @@ def _bodies(found: Description, unit: str, up: float) -> Iterator[str]:
     """How each of several pieces lies and moves, in the order in which they lie; of many, how they move."""
     pieces = [piece for piece in found.pieces if len(piece.masses) > len(piece.held)]
     if 0 < len(pieces) <= _EACH:
-        yield from _each(pieces, found, unit, up)
+        pieces, side = _in_order(pieces, up)
+        for i, piece in enumerate(pieces, start=1):
+            masses = _runs(piece.masses)
+            yield say("describe-piece", number=str(i), side=side, count=len(piece.masses), masses=masses)
+            yield from _hangs(piece.motion, found.box[3] - found.box[1], unit)
+            if not found.motion.is_still:
+                yield from _motion(piece.motion, None, unit, up)
     elif not found.motion.is_still:
         yield _fastest("describe-moves.all", found.motion, unit, up)
     if found.motion.is_still:
         yield say("describe-still.all")
 
 
-def _each(pieces: list[Piece], found: Description, unit: str, up: float) -> Iterator[str]:
+def _in_order(pieces: Sequence[Piece], up: float) -> tuple[list[Piece], Literal["left", "top"]]:
+    """Pieces from the left or from the top, along which they are farther apart."""
     centres = np.array([piece.motion.centre for piece in pieces])
     across, upward = np.ptp(centres, axis=0)
     places = centres[:, 0] if across >= upward else -up * centres[:, 1]
-    height = found.box[3] - found.box[1]
-    for i, at in enumerate(np.argsort(places, kind="stable"), start=1):
-        motion = pieces[at].motion
-        said = list(_hangs(motion, height, unit))
-        if not found.motion.is_still:
-            said.extend(_motion(motion, None, unit, up))
-        side = "left" if across >= upward else "top"
-        masses = pieces[at].masses
-        yield say("describe-piece", number=str(i), side=side, count=len(masses), masses=_runs(masses))
-        yield from said
+    return [pieces[at] for at in np.argsort(places, kind="stable")], "left" if across >= upward else "top"
 
 
 def _runs(masses: tuple[int, ...]) -> str:

@@ -6,6 +6,19 @@ import { direction, folded } from "../../words/words.js";
 const [BACK, ON] = direction === "rtl" ? ["ArrowRight", "ArrowLeft"] : ["ArrowLeft", "ArrowRight"];
 
 /**
+ * Which of the scenes that are found is meant most likely: one whose title is what was typed, or else begins with it, or else
+ * the first.
+ *
+ * @param {{name: string, title: string}[]} found @param {string} wanted
+ * @returns {string | undefined} its name
+ */
+export function meant(found, wanted) {
+  const text = folded(wanted.trim());
+  const by = (/** @type {(title: string) => boolean} */ isIt) => found.find(({ title }) => isIt(folded(title)));
+  return (by((title) => title === text) ?? by((title) => title.startsWith(text)) ?? found[0])?.name;
+}
+
+/**
  * Whether a scene is one that is searched for: each word is in its title, its name or what it shows.
  *
  * @param {{name: string, title: string, text: string, group: string}} entry
@@ -51,13 +64,14 @@ export function focusCard(card) {
  * @param {HTMLElement} search
  * @param {HTMLElement[]} cards that are shown, in reading order
  * @param {HTMLElement | undefined} [first] the card to which one gets from the search
+ * @param {HTMLElement | undefined} [best] the card that Enter opens there
  * @returns {boolean} whether that was the key
  */
-export function moveByKey(event, search, cards, first = cards[0]) {
+export function moveByKey(event, search, cards, first = cards[0], best = cards[0]) {
   const { target, key } = event;
   const from = cards.findIndex((card) => card === target);
   if (target === search) {
-    if (key === "Enter") cards[0]?.click();
+    if (key === "Enter") best?.click();
     else if (key === "ArrowDown") focusCard(first);
     else return false;
   } else if (from >= 0 && /^(Arrow(Up|Down|Left|Right)|Home|End)$/.test(key)) {

@@ -11,7 +11,7 @@ import { make, makeButton, makeDialog, untranslated } from "../../ui/dialog.js";
 import { alsoFinds, refreshFinder } from "../../ui/gui/finder.js";
 import { isDark } from "../../ui/viser/viser.js";
 import { say } from "../../words/words.js";
-import { focusCard, isFound, moveByKey } from "./finding.js";
+import { focusCard, isFound, meant, moveByKey } from "./finding.js";
 
 const IMAGES = new URL("thumbnails/", import.meta.url);
 /** The preset with which one builds a body of one's own. */
@@ -126,7 +126,7 @@ class Gallery {
   #press(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const found = this.#found();
-    if (moveByKey(event, this.#search, found, this.#reached(found)) || event.key !== "Delete") return;
+    if (moveByKey(event, this.#search, found, this.#reached(found), this.#meant(found)) || event.key !== "Delete") return;
     const name = nameOf(found.find((card) => card === event.target));
     if (this.#entries.find((entry) => entry.name === name)?.own) send({ do: "changeScene", how: "delete", name });
   }
@@ -163,9 +163,16 @@ class Gallery {
       }
       group.toggleAttribute("hidden", count === 0 && !(isWanted && group.matches(".softrod-none-saved") && !this.#search.value));
     }
-    const names = this.#found().map(nameOf);
-    this.#none.hidden = names.length > 0;
-    if (!names.includes(this.#chosen)) this.#choose(names[0] ?? "");
+    const found = this.#found();
+    this.#none.hidden = found.length > 0;
+    if (!found.map(nameOf).includes(this.#chosen)) this.#choose(nameOf(this.#meant(found)));
+  }
+
+  /** The card that is meant by what was typed. @param {HTMLElement[]} found */
+  #meant(found) {
+    const entries = found.flatMap((card) => this.#entries.filter(({ name }) => name === nameOf(card)));
+    const name = meant(entries, this.#search.value);
+    return found.find((card) => nameOf(card) === name);
   }
 
   /** Shows other scenes. @param {import("../../wire/wire.js").Scenes} letter */

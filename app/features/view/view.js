@@ -37,6 +37,7 @@ const ENTRIES = [
   { name: "modes", part: "modes", on: () => document.documentElement.hasAttribute("data-softrod-modes") },
   { name: "chase", part: "view", on: isChasing },
   { name: "fit", part: "view" },
+  { name: "describeBody", part: "view" },
   { name: "palette", part: "view" },
   { name: "access", part: "view" },
   { name: "help", part: "help" },

@@ -112,7 +112,8 @@ export function addSeat(picture) {
       // What is to be done now is at the top.
       if (hasMoved) {
         element.scrollTop = 0;
-        element.scrollIntoView();
+        // In a small window either the body is in sight or the card.
+        (told.asking?.phase === "run" ? document.body : element).scrollIntoView();
       }
       hasMoved = false;
     });
@@ -246,7 +247,9 @@ function predicted(asking) {
   if (!given?.sent || !given.text) return [];
   // One that the page has handed in by itself was moved in time.
   const late = lateness({ late: given.late && handedIn !== asking.stop });
-  return [make("p", "softrod-handed", say("seat-handed.text", { text: given.text, late }))];
+  // What the class is told about now is not marked as done.
+  const name = TOLD.has(asking.phase) ? "softrod-handed softrod-plain" : "softrod-handed";
+  return [make("p", name, say("seat-handed.text", { text: given.text, late }))];
 }
 
 /** What stands below sliders and plots. @param {Seat} seat @returns {HTMLElement[]} */
@@ -482,6 +485,7 @@ function lobbyOf({ two, digits, types_name }) {
     button(say("seat-another-name"), () => send({ do: "newName" }), { focus: "name" }),
     button(say("seat-two"), () => send({ do: "sitTogether", two: !two }), { focus: "two", pressed: two }),
     button(move, () => send({ do: "leaveBy" }), { focus: "move" }),
+    button(say("command-describe-body"), () => send({ do: "describe", mass: null }), { focus: "describe" }),
     button(say("access-taps"), () => (setAccess({ taps: !access().taps }), show()), { focus: "taps", pressed: access().taps }),
   ];
   const own = types_name ? [nameLine()] : [];

@@ -46,15 +46,26 @@ function slider(setting, change) {
   const shown = untranslated(make("output", ""));
   shown.ariaLive = "off"; // the slider says it
   const unit = setting.unit && setting.unit !== "°" ? ` ${setting.unit}` : setting.unit;
+  let now = Number(setting.value);
   const show = (/** @type {number} */ value) => {
+    now = value;
     shown.textContent = upright(said(value) + unit);
     input.setAttribute("aria-valuetext", shown.textContent);
   };
-  const first = Number(setting.value);
-  Object.assign(input, { type: "range", min: "0", max: String(PLACES), value: String(placeOf(setting, first)) });
-  show(first);
+  Object.assign(input, { type: "range", min: "0", max: String(PLACES), value: String(placeOf(setting, now)) });
+  show(now);
   let isPointed = false; // keys set every place
-  input.addEventListener("pointerdown", () => (isPointed = true));
+  /** The value before a finger came down, which may be about to scroll. @type {number | null} */
+  let before = null;
+  input.addEventListener("pointerdown", ({ pointerType }) => {
+    isPointed = true;
+    before = pointerType === "touch" ? now : null;
+  });
+  input.addEventListener("pointercancel", () => {
+    if (before === null || before === now) return;
+    set(before);
+    change(before);
+  });
   input.addEventListener("keydown", () => (isPointed = false));
   input.addEventListener("input", () => {
     const value = (isPointed ? roundAt : valueAt)(setting, Number(input.value));
