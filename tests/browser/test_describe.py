@@ -59,3 +59,12 @@ def test_what_happens_is_said_in_few_words_once_that_is_wished(open_page: OpenPa
     page.keyboard.press("Space")
     until(page, lambda: page.locator(".softrod-live").text_content() == "Running", "as ever")
     assert live.text_content() == "Paused."
+
+
+def test_the_body_is_described_without_a_keyboard(open_page: OpenPage) -> None:
+    desk = open_page("rope", size=(390, 844), phone=True)
+    desk.view("Describe the body")
+    card = desk.page.locator(".softrod-described")
+    desk.until(lambda: "A chain of 12 masses" in card.inner_text(), "it is described")
+    card.get_by_role("button").tap()
+    desk.until(card.is_hidden, "and closed")

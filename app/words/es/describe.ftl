@@ -86,7 +86,7 @@ describe-free = Nada lo sujeta.
         [one] Nada sujeta esta parte.
        *[other] Nada las sujeta.
     }
-describe-held = Está sujeto por la masa { $mass }, { $side ->
+describe-held = Está fija la masa { $mass }, { $side ->
     [left] en su extremo izquierdo
     [right] en su extremo derecho
     [top] en lo alto
@@ -97,7 +97,7 @@ describe-held = Está sujeto por la masa { $mass }, { $side ->
     [rightBottom] abajo a la derecha
    *[inside] entre sus extremos
 }.
-    .mass = La masa { $mass } está sujeta.
+    .mass = La masa { $mass } está fija.
 describe-held-many = Hay { $count } masas fijas: { $masses }.
 describe-held-most = Hay { $count } masas fijas.
 
