@@ -757,7 +757,8 @@ def test_in_the_smallest_window_a_pupil_scrolls_to_the_body_and_reads_its_descri
     expect(card).to_contain_text("A chain of")
     inside = """(one) => {
       const { top, bottom, left, width } = one.getBoundingClientRect();
-      return top >= 0 && bottom <= innerHeight && one.contains(document.elementFromPoint(left + width / 2, bottom - 4));
+      const at = document.elementFromPoint(left + width / 2, bottom - 4);
+      return top >= 0 && bottom <= innerHeight && one.contains(at);
     }"""
     assert card.evaluate(inside), "it is in the window, over all else"
     card.evaluate("(one) => (one.scrollTop = 1e6)")
