@@ -450,7 +450,10 @@ def test_a_page_is_translated(open_page: OpenPage, school: School, live: Callabl
     expect(page.locator(".softrod-hud")).to_contain_text("«")
     page.keyboard.press("r")
     page.get_by_role("tab", name="«Measure»").click()
+    charts = page.locator(".softrod-panel .softrod-chart")
+    had = charts.count()
     page.get_by_role("button", name="«New plot»").first.click()
+    desk.until(lambda: charts.count() > had, "it is there")
     page.get_by_role("tab", name="«Play»").click()
     stiffness = page.locator(".softrod-panel input[type=range]").locator("visible=true").first
     before = desk.session.scene

@@ -67,7 +67,7 @@ class Folder extends Control {
   }
 }
 
-/** The words of the tab that was chosen last: tabs are made again with other controls. */
+/** The words of the tab that was chosen last, as the server has them: tabs are made again with other controls, and browsers translate. */
 let chosen = "";
 /** The first tab then. */
 let first = "";
@@ -141,12 +141,13 @@ class Tabs extends Control {
   /** Shows a tab. @param {string} id */
   choose(id) {
     this.shown = id;
+    const { _tab_container_ids: ids = [], _tab_labels: labels = [] } = /** @type {Record<string, string[]>} */ (this.props);
+    chosen = labels[ids.indexOf(id)] ?? "";
     for (const [other, { tab, page }] of this.tabs) {
       const on = other === id;
       tab.ariaSelected = String(on);
       tab.tabIndex = on ? 0 : -1;
       page.hidden = !on;
-      if (on) chosen = tab.textContent ?? "";
     }
     this.element.dispatchEvent(new CustomEvent("softrod-tab", { bubbles: true, detail: id }));
   }
