@@ -227,5 +227,7 @@ def test_a_description_that_is_overtaken_is_not_told() -> None:
     assert says(page, "Mass 3,")
     page.frames(2, Perform("describeBody"))
     assert says(page, "A chain of")
+    # What was not told is nothing that the next one compares with.
+    assert "since" not in said(page).lower()
     texts = [each.text for each in page.client.mail.sent if isinstance(each, Described)]
     assert [text.split(",")[0].split(" of ")[0] for text in texts] == ["Mass 3", "A chain"]

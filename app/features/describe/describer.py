@@ -60,10 +60,9 @@ class Describer:
         """
         self._asked += 1
         scene = session.simulation.scene
-        found, before = describe(session.simulation, scene), self._before
-        self._before = found
+        found = describe(session.simulation, scene)
         positions = session.simulation.positions.copy()
-        self._queue.submit(self._say, self._asked, found, scene, positions, before)
+        self._queue.submit(self._say, self._asked, found, scene, positions, self._before)
 
     def _say(
         self,
@@ -75,8 +74,13 @@ class Describer:
     ) -> None:
         if asked != self._asked:
             return
-        told = Described(text=paragraph(found, scene, swing_of(found, scene, positions), before))
-        self._soon(lambda: self._mail.send(told) if asked == self._asked else None)
+        text = paragraph(found, scene, swing_of(found, scene, positions), before)
+        self._soon(lambda: self._tell(asked, text, found))
+
+    def _tell(self, asked: int, text: str, found: Description) -> None:
+        if asked == self._asked:
+            self._before = found  # what is told next compares with what was heard
+            self._mail.send(Described(text=text))
 
 
 def _only(selection: Selection) -> tuple[str, int] | None:
